@@ -1,0 +1,1 @@
+"""REI-Bench: can robot planners, and people, follow vague instructions?"""

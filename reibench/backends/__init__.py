@@ -1,0 +1,93 @@
+"""Backends: language models, behind the two calls planners and methods make of them."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+from reibench.registry import Registry
+
+
+@dataclass(frozen=True)
+class Prompt:
+    """What a model is asked to continue."""
+
+    text: str
+    fixed: int = 0
+    """How many leading characters stay the same from call to call (examples, usually): a backend
+    may keep them evaluated."""
+    chat: bool = False
+    """Whether to ask in the model's chat template, as one user turn, if it has one."""
+
+
+@dataclass(frozen=True)
+class Usage:
+    """What a call cost."""
+
+    prompt_tokens: int = 0
+    cached_tokens: int = 0
+    """Those of `prompt_tokens` that did not have to be evaluated."""
+    completion_tokens: int = 0
+    seconds: float = 0.0
+
+    def __add__(self, other: "Usage") -> "Usage":
+        return Usage(
+            self.prompt_tokens + other.prompt_tokens,
+            self.cached_tokens + other.cached_tokens,
+            self.completion_tokens + other.completion_tokens,
+            self.seconds + other.seconds,
+        )
+
+
+@dataclass(frozen=True)
+class Generation:
+    """A free continuation."""
+
+    text: str
+    usage: Usage = Usage()
+
+
+@dataclass(frozen=True)
+class Alternative:
+    """An option and how probable the model found it, among the options."""
+
+    text: str
+    probability: float
+
+
+@dataclass(frozen=True)
+class Selection:
+    """One option chosen."""
+
+    text: str
+    usage: Usage = Usage()
+    alternatives: tuple[Alternative, ...] = ()
+    """The likeliest options with their probabilities, the chosen one among them, likeliest first."""
+
+
+class Backend(Protocol):
+    """A language model."""
+
+    @property
+    def name(self) -> str:
+        """What it is called on the command line, e.g. `llama-cpp:gemma-3-270m`."""
+        ...
+
+    def generate(
+        self, prompt: Prompt, *, max_tokens: int = 128, stop: Sequence[str] = (), grammar: str = ""
+    ) -> Generation:
+        """Continue `prompt` greedily up to the first of `stop`, within a GBNF `grammar` if given."""
+        ...
+
+    def choose(self, prompt: Prompt, options: Sequence[str]) -> Selection:
+        """Return the option that a greedy walk over `options`' tokens takes after `prompt`.
+
+        The options are continuations: each begins where the prompt ends, with its leading space.
+        """
+        ...
+
+    def close(self) -> None:
+        """Free the model."""
+        ...
+
+
+backends: Registry[Backend] = Registry("backend", __name__)

@@ -1,0 +1,81 @@
+"""What is said: utterances, the referring expressions in them, and how vague they are."""
+
+from dataclasses import dataclass
+from typing import Literal, NamedTuple, get_args
+
+from reibench.errors import unknown
+
+Reference = Literal["explicit", "mixed", "implicit"]
+Context = Literal["standard", "noised", "short"]
+Speaker = Literal["human", "robot"]
+REFERENCES: tuple[Reference, ...] = get_args(Reference)
+CONTEXTS: tuple[Context, ...] = get_args(Context)
+
+
+class Vagueness(NamedTuple):
+    """One of the nine levels: how objects are named, and what surrounds the request (section 3.1)."""
+
+    reference: Reference
+    context: Context
+
+    def __str__(self) -> str:
+        return f"{self.reference}-{self.context}"
+
+    @classmethod
+    def parse(cls, text: str) -> "Vagueness":
+        """Read `mixed-noised`; raises UnknownName."""
+        for level in LEVELS:
+            if str(level) == text:
+                return level
+        raise unknown("level", text, map(str, LEVELS))
+
+
+LEVELS = tuple(Vagueness(reference, context) for reference in REFERENCES for context in CONTEXTS)
+"""All nine, from explicit-standard to implicit-short."""
+
+
+@dataclass(frozen=True)
+class ReferringExpression:
+    """A stretch of an utterance that picks something out."""
+
+    start: int
+    """Character offsets in the utterance, end exclusive."""
+    end: int
+    text: str
+    referent: str
+    """The object type it stands for; `@Mr. Box` for an ambiguous proper name (section 3.1)."""
+    form: str
+    """Grammatical form: proper, definite, indefinite, plural, pronoun or attributive."""
+    explicit: bool
+    """Whether it names its object."""
+
+    @property
+    def is_noise(self) -> bool:
+        """Whether it is an ambiguous name that stands for no object of the room."""
+        return self.referent.startswith("@")
+
+
+@dataclass(frozen=True)
+class Utterance:
+    """One turn of the dialogue."""
+
+    speaker: Speaker
+    text: str
+    expressions: tuple[ReferringExpression, ...] = ()
+
+
+@dataclass(frozen=True)
+class Dialogue:
+    """What was said before, and the pending instruction as its last utterance."""
+
+    utterances: tuple[Utterance, ...]
+
+    @property
+    def context(self) -> tuple[Utterance, ...]:
+        """Everything before the pending instruction."""
+        return self.utterances[:-1]
+
+    @property
+    def instruction(self) -> Utterance:
+        """The pending instruction."""
+        return self.utterances[-1]

@@ -1,0 +1,50 @@
+"""Worlds: where skills happen. A world sets up a task's room, carries out skills and reports."""
+
+from dataclasses import dataclass
+from typing import Protocol
+
+from reibench.episode import Task
+from reibench.goals import Condition, satisfied
+from reibench.registry import Registry
+from reibench.scene import Scene
+from reibench.skill import Skill
+
+
+@dataclass(frozen=True)
+class Event:
+    """What the world reports after a skill; the word is AI2-THOR's."""
+
+    success: bool
+    message: str
+    """What is wrong if it failed; what happened, in a short sentence, or nothing if it worked."""
+    scene: Scene
+    goals: tuple[Condition, ...]
+
+    @property
+    def solved(self) -> bool:
+        """Whether every goal condition holds now."""
+        return satisfied(self.goals)
+
+
+class World(Protocol):
+    """A room that carries out skills."""
+
+    @property
+    def skills(self) -> tuple[Skill, ...]:
+        """Every skill, in a fixed order, the same in every room."""
+        ...
+
+    def reset(self, task: Task) -> Event:
+        """Set up `task`; raises InvalidEpisode if its room cannot be set up as it says."""
+        ...
+
+    def step(self, skill: Skill) -> Event:
+        """Carry out `skill`; one that can't be done is an event, not an error."""
+        ...
+
+    def close(self) -> None:
+        """Free the simulator."""
+        ...
+
+
+worlds: Registry[World] = Registry("world", __name__)
