@@ -13,7 +13,7 @@ CONTEXTS: tuple[Context, ...] = get_args(Context)
 
 
 class Vagueness(NamedTuple):
-    """One of the nine levels: how objects are named, and what surrounds the request (section 3.1)."""
+    """One of the nine levels: how objects are named x what surrounds the request (section 3.1)."""
 
     reference: Reference
     context: Context

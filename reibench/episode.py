@@ -17,7 +17,7 @@ class TaskType(StrEnum):
     EXAMINE = "look_at_obj_in_light"
 
     @property
-    def title(self) -> str:
+    def label(self) -> str:
         """The paper's name, e.g. `Heat & Place`."""
         return TITLES[self]
 
@@ -100,7 +100,7 @@ class Episode:
     candidates: tuple[str, ...] = ()
     """Object types a careful listener is left with; the first is meant."""
     underdetermined: bool = False
-    """Whether more than one candidate is left (reading note 2: kept apart, never silently mixed)."""
+    """Whether more than one candidate is left; such episodes are kept apart in every table."""
 
     @property
     def id(self) -> str:

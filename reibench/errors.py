@@ -9,7 +9,7 @@ class ReibenchError(Exception):
 
 
 class UnknownName(ReibenchError):
-    """Nothing of that kind is called that: a planner, model, episode, room, object type …"""
+    """Nothing of that kind is called that: a planner, model, episode, room, an object type."""
 
 
 class UnknownSkill(ReibenchError):

@@ -1,4 +1,4 @@
-"""Goal conditions of the six task types, over scenes (ALFRED's tests; `shared` facts in section 3.2)."""
+"""Goal conditions of the six task types, over scenes (ALFRED's tests, section 3.2)."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
@@ -72,7 +72,7 @@ def _thing(goal: Goal, treated: str = "") -> str:
 def _inside(
     things: Iterable[SceneObject], scene: Scene, receptacle: str, matches: Matches
 ) -> list[SceneObject]:
-    """Return those of `things` that lie in a receptacle of this type, directly or in its contents."""
+    """Return those of `things` that lie in or on a receptacle of this type."""
     found = []
     for thing in things:
         parents = (scene.by_id[parent] for parent in thing.parents if parent in scene.by_id)

@@ -78,7 +78,7 @@ class Rollout:
         Args:
             decision: the skill, and what led to it.
             expected: the number this step should get; a stale or doubled click has another.
-            seconds: thinking time where it is known better than by this clock (a replay, a browser).
+            seconds: thinking time where it is known better than by this clock (replay, browser).
 
         Raises:
             StaleStep: when `expected` is not the next number, or the episode is over.

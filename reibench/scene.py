@@ -120,4 +120,4 @@ class Scene:
 
 
 CONTAINERS = frozenset(("Box", "Cabinet", "Drawer", "Fridge", "LaundryHamper", "Microwave", "Safe"))
-"""Types that hide what they hold while closed (Book, Laptop, Toilet … open but hold nothing inside)."""
+"""Types that hide what they hold while closed; Book, Laptop and Toilet open but hide nothing."""

@@ -1,4 +1,4 @@
-"""Skills: the finite set of things the robot can be told to do (LoTA-Bench's, as REI-Bench uses it)."""
+"""Skills: the finite set of things the robot can be told to do, in LoTA-Bench's words."""
 
 import re
 from collections.abc import Sequence

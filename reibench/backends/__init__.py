@@ -61,7 +61,7 @@ class Selection:
     text: str
     usage: Usage = Usage()
     alternatives: tuple[Alternative, ...] = ()
-    """The likeliest options with their probabilities, the chosen one among them, likeliest first."""
+    """The likeliest options with their probabilities, likeliest first, the chosen one among them."""
 
 
 class Backend(Protocol):
@@ -75,7 +75,7 @@ class Backend(Protocol):
     def generate(
         self, prompt: Prompt, *, max_tokens: int = 128, stop: Sequence[str] = (), grammar: str = ""
     ) -> Generation:
-        """Continue `prompt` greedily up to the first of `stop`, within a GBNF `grammar` if given."""
+        """Continue `prompt` greedily up to the first of `stop`, within a GBNF `grammar`."""
         ...
 
     def choose(self, prompt: Prompt, options: Sequence[str]) -> Selection:
