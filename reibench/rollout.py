@@ -43,7 +43,8 @@ class Record:
     status: Status
     """success: the goal holds at the end. failure: it doesn't, and the actor said done.
     truncated: it doesn't, and the budget is spent. error: something broke."""
-    start: Event
+    start: Event | None
+    """The event of the reset; None if the room could not be set up."""
     steps: tuple[Step, ...]
     said_done: bool = False
     """Whether the actor ended the episode itself."""
@@ -62,12 +63,23 @@ class Rollout:
         self.steps: list[Step] = []
         self.said_done = False
         self.instruction: Instruction | None = None
+        self.first_event: Event | None = None
         self._world = world
+        self._clock = perf_counter()
 
     def start(self) -> Event:
         """Set the scene and start the clock."""
-        self.first_event = self.last_event = self._world.reset(self.episode.task)
+        self.first_event = self._world.reset(self.episode.task)
         self._clock = perf_counter()
+        return self.first_event
+
+    @property
+    def last_event(self) -> Event:
+        """The latest event; the reset's before the first step."""
+        if self.steps:
+            return self.steps[-1].event
+        if self.first_event is None:
+            raise RuntimeError("the rollout has not been started; call start first")
         return self.first_event
 
     def step(
@@ -89,9 +101,9 @@ class Rollout:
         if self.over:
             raise StaleStep(f"The episode is over after {len(self.steps)} steps.")
         thought = perf_counter() - self._clock if seconds is None else seconds
-        self.last_event = self._world.step(decision.skill)
+        event = self._world.step(decision.skill)
         self._clock = perf_counter()
-        self.steps.append(Step(number, decision, self.last_event, thought))
+        self.steps.append(Step(number, decision, event, thought))
         return self.steps[-1]
 
     def finish(self) -> None:
@@ -111,7 +123,7 @@ class Rollout:
     @property
     def status(self) -> Status:
         """How the episode would be recorded if it ended now."""
-        if self.last_event.solved:
+        if self.first_event and self.last_event.solved:
             return "success"
         return "truncated" if self.exhausted and not self.said_done else "failure"
 

@@ -1,0 +1,1 @@
+"""Episodes on disk: reading, checking and choosing them."""

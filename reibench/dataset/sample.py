@@ -1,0 +1,70 @@
+"""Choosing episodes: by level, task type, room, id, or a manifest file."""
+
+import json
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from reibench.dataset.files import digest
+from reibench.dialogue import CONTEXTS, LEVELS, REFERENCES
+from reibench.episode import Episode, TaskType
+from reibench.errors import InvalidEpisode, unknown
+
+Kind = Callable[[Episode], str]
+
+
+def select(episodes: Sequence[Episode], wanted: str) -> list[Episode]:
+    """Return the episodes that `--episodes` asks for, in their order.
+
+    Args:
+        episodes: all there are.
+        wanted: `all`, a manifest file, or comma-separated levels, references, contexts, task types,
+            rooms, tasks or episode ids; several of one kind are alternatives, kinds intersect.
+
+    Raises:
+        UnknownName: for a word that is none of these.
+    """
+    if wanted == "all":
+        return list(episodes)
+    if wanted.endswith(".json"):
+        return _from_manifest(episodes, Path(wanted))
+    kinds: dict[str, tuple[Kind, set[str]]] = {}
+    for word in filter(None, (part.strip() for part in wanted.split(","))):
+        name, kind = _kind_of(episodes, word)
+        kinds.setdefault(name, (kind, set()))[1].add(word)
+    return [
+        episode
+        for episode in episodes
+        if all(kind(episode) in words for kind, words in kinds.values())
+    ]
+
+
+def _kind_of(episodes: Sequence[Episode], word: str) -> tuple[str, Kind]:
+    kinds: dict[str, tuple[set[str], Kind]] = {
+        "level": ({*map(str, LEVELS)}, lambda e: str(e.vagueness)),
+        "reference": ({*REFERENCES}, lambda e: e.vagueness.reference),
+        "context": ({*CONTEXTS}, lambda e: e.vagueness.context),
+        "type": ({t.short for t in TaskType}, lambda e: e.task.goal.task_type.short),
+        "room": ({e.task.setup.room for e in episodes}, lambda e: e.task.setup.room),
+        "task": ({e.task.id for e in episodes}, lambda e: e.task.id),
+        "episode": ({e.id for e in episodes}, lambda e: e.id),
+    }
+    for name, (words, kind) in kinds.items():
+        if word in words:
+            return name, kind
+    known = [*(word for words, _ in kinds.values() for word in sorted(words)), "all"]
+    raise unknown("episode, level, task type, room or task", word, known)
+
+
+def _from_manifest(episodes: Sequence[Episode], path: Path) -> list[Episode]:
+    """Return what a manifest lists, refusing episodes that are no longer what it froze."""
+    by_id = {episode.id: episode for episode in episodes}
+    try:
+        listed = json.loads(path.read_text(encoding="utf-8"))["episodes"].items()
+    except (OSError, ValueError, KeyError, AttributeError, TypeError) as problem:
+        raise InvalidEpisode(f"The manifest {path} cannot be read: {problem}.") from problem
+    for episode_id, frozen in listed:
+        if episode_id not in by_id:
+            raise unknown("episode", episode_id, by_id)
+        if digest(by_id[episode_id]) != frozen:
+            raise InvalidEpisode(f"{episode_id} has changed since the manifest {path} was made.")
+    return [by_id[episode_id] for episode_id, _ in listed]

@@ -1,0 +1,147 @@
+"""Where things find room: free spots in and on receptacles."""
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+from reibench.household.geometry import Footprint, bottom, footprint, top
+from reibench.household.objects import SINGLE, SURFACES, object_type
+from reibench.household.state import State
+from reibench.scene import Box, SceneObject, Vector
+
+STEP = 0.1
+"""Metres between the spots tried, at least; large surfaces are tried more coarsely."""
+MOST = 12
+"""Spots tried along a side."""
+LAYER = 0.3
+"""Height of a level inside a fridge or cabinet."""
+SEATS = {"ArmChair": 0.45, "Bed": 0.55, "Chair": 0.47, "Sofa": 0.45, "Stool": 0.7}
+"""Height of what one sits or lies on, where the box goes on above it."""
+HANGERS = frozenset(("HandTowelHolder", "TowelHolder", "ToiletPaperHanger"))
+BUILT_IN = frozenset(("CounterTop", "Floor", "Desk", "DiningTable", "CoffeeTable", "SideTable"))
+"""Receptacles that fixed things stand on or are let into without being listed as contents."""
+THIN = 0.04
+"""Metres; longer things this thin stand upright in mugs and cups."""
+
+
+class Spot(NamedTuple):
+    """A place for a thing, and how it lies there."""
+
+    middle: Vector
+    size: Vector
+
+
+def free_spot(
+    state: State, thing: SceneObject, receptacle: SceneObject, area: Footprint | None = None
+) -> Spot | None:
+    """Return the free spot for `thing` in or on `receptacle` that is nearest to the robot.
+
+    `area` narrows it down to a part of the receptacle; None means there is no room left.
+    """
+    if receptacle.type in SINGLE and receptacle.contents:
+        return None
+    if not _fits(thing, receptacle):
+        return None
+    area = area or footprint(receptacle.box)
+    for size in _postures(state, thing, receptacle):
+        occupied = list(_occupied(state, thing, receptacle, size.y))
+        for level in _levels(receptacle, size.y):
+            for x, z in _grid(area, size, state):
+                box = Box(Vector(x, level + size.y / 2, z), size)
+                if not any(_overlap(box, other) for other in occupied):
+                    return Spot(box.center, size)
+    return None
+
+
+def surface(receptacle: SceneObject) -> float:
+    """Return the height things rest at in or on `receptacle`."""
+    kind, low, high = receptacle.type, bottom(receptacle.box), top(receptacle.box)
+    if kind in SEATS:
+        return min(low + SEATS[kind], high)
+    if kind in ("Shelf", "Plate") or kind not in SURFACES:
+        return low + 0.01
+    return high
+
+
+def _fits(thing: SceneObject, receptacle: SceneObject) -> bool:
+    """Whether the receptacle is wide enough, standing the thing on end if need be.
+
+    What AI2-THOR or ALFRED puts there fits, even where it juts out (a pan on a burner).
+    """
+    if object_type(thing.type).belongs(receptacle.type):
+        return True
+    small, middling, _ = sorted(thing.box.size)
+    width, _, depth = receptacle.box.size
+    return small <= min(width, depth) and middling <= max(width, depth)
+
+
+def _postures(state: State, thing: SceneObject, receptacle: SceneObject) -> list[Vector]:
+    original = state.room.by_id.get(thing.id, thing).box.size
+    thickness, breadth, length = sorted(original)
+    if receptacle.type in ("Mug", "Cup") and breadth <= THIN:
+        return [Vector(thickness, length, breadth)]
+    width, height, depth = original
+    return [original] if width == depth else [original, Vector(depth, height, width)]
+
+
+def _levels(receptacle: SceneObject, height: float) -> list[float]:
+    """Return the heights a thing of that height can rest at."""
+    low = surface(receptacle)
+    if receptacle.type in HANGERS:
+        return [receptacle.box.center.y - height]
+    if receptacle.type not in ("Cabinet", "Fridge", "LaundryHamper"):
+        return [low]
+    tall = receptacle.box.size.y
+    return [low + level * LAYER for level in range(max(1, min(4, int(tall / LAYER))))]
+
+
+def _grid(area: Footprint, size: Vector, state: State) -> list[tuple[float, float]]:
+    """Return the middles to try, nearest to the robot first."""
+    here = state.agent.position
+    columns = _along(area.left, area.right, size.x)
+    rows = _along(area.near, area.far, size.z)
+    spots = [((x - here.x) ** 2 + (z - here.z) ** 2, x, z) for x in columns for z in rows]
+    return [(x, z) for _, x, z in sorted(spots)]
+
+
+def _along(low: float, high: float, extent: float) -> list[float]:
+    inset = min(extent, high - low) / 2
+    span = high - low - 2 * inset
+    count = min(MOST, int(span / STEP) + 1)
+    if count <= 1:
+        return [(low + high) / 2]
+    return [low + inset + span * step / (count - 1) for step in range(count)]
+
+
+def _occupied(
+    state: State, thing: SceneObject, receptacle: SceneObject, height: float
+) -> Iterable[Box]:
+    """Yield the boxes a thing on `receptacle` must keep clear of."""
+    for name in receptacle.contents or ():
+        if name != thing.id and not (receptacle.type == "Floor" and _towers(state.objects[name])):
+            yield state.objects[name].box
+    if receptacle.type not in BUILT_IN:
+        return
+    low, area = surface(receptacle), state.footprints[receptacle.id]
+    own = (receptacle.id, thing.id, *receptacle.parents)
+    for other in state.objects.values():
+        if other.pickupable or other.id in own or other.type in ("Chair", "Stool", "Floor"):
+            continue
+        low_enough = bottom(other.box) < low + height
+        if low_enough and top(other.box) > low + 0.01 and area.meets(state.footprints[other.id]):
+            yield other.box
+
+
+def _towers(thing: SceneObject) -> bool:
+    """Whether it is left to the check of all fixed things, which knows its footprint."""
+    return not thing.pickupable and thing.type not in ("Chair", "Stool")
+
+
+def _overlap(one: Box, other: Box) -> bool:
+    (x, y, z), (width, height, depth) = one
+    (a, b, c), (w, h, d) = other
+    slack = 0.01
+    return (
+        abs(x - a) * 2 + slack < width + w
+        and abs(z - c) * 2 + slack < depth + d
+        and abs(y - b) * 2 + slack < height + h
+    )

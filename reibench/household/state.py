@@ -1,0 +1,236 @@
+"""The room as it is now: what contains what, where the robot is, and what it sees."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+from reibench.household.floor import GRID, WalkableFloor
+from reibench.household.geometry import Footprint, Sight, footprint, forward, shifted
+from reibench.household.rooms import Room
+from reibench.scene import CONTAINERS, Box, Pose, Scene, SceneObject, Vector
+
+Objects = dict[str, SceneObject]
+HAND_HEIGHT = 1.1
+HAND_DISTANCE = 0.45
+"""Where a held thing floats: in front of the camera, in metres."""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How a controller was asked to behave."""
+
+    grid: float = GRID
+    reach: float = 1.5
+    """Metres within which things are visible and can be acted on, measured horizontally."""
+    field_of_view: float = 90.0
+    """Degrees."""
+
+
+@dataclass(frozen=True)
+class Moment:
+    """A room at one moment; later actions leave it as it is."""
+
+    room: Room
+    objects: Objects
+    """By id; never changed in place."""
+    footprints: dict[str, Footprint]
+    openness: dict[str, float]
+    """How far what is open is open, 0 to 1, where that is neither."""
+    agent: Pose
+    sight: Sight
+    field_of_view: float
+    time: int
+    """How many actions have been carried out since the room was set up."""
+
+    @cached_property
+    def scene(self) -> Scene:
+        """The scene as both simulators report it."""
+        objects, takes_in = self.objects, self.sight.takes_in
+        visible = frozenset(
+            name
+            for name, area in self.footprints.items()
+            if takes_in(area) and not hidden(objects, objects[name])
+        )
+        things = tuple(objects.values())
+        return Scene(self.room.name, things, self.agent, visible, self.room.bounds)
+
+    def sees(self, name: str) -> bool:
+        """Whether the robot sees that object."""
+        thing = self.objects.get(name)
+        if thing is None or not self.sight.takes_in(self.footprints[name]):
+            return False
+        return not hidden(self.objects, thing)
+
+
+class State:
+    """A room in use. Every change replaces what it touches, so moments stay as they were."""
+
+    def __init__(self, room: Room, settings: Settings) -> None:
+        self.room = room
+        self.settings = settings
+        self.objects: Objects = room.by_id
+        self.footprints = room.footprints
+        self.openness: dict[str, float] = {}
+        self.held = next((thing.id for thing in room.objects if thing.held), "")
+        self.warmth: dict[str, int] = {}
+        """When each hot or cold thing was last kept so."""
+        self.time = 0
+        self.agent = room.start
+        self._moment: Moment | None = None
+
+    @property
+    def agent(self) -> Pose:
+        """Where the robot stands and looks."""
+        return self._agent
+
+    @agent.setter
+    def agent(self, pose: Pose) -> None:
+        self._agent = pose
+        reach, field_of_view = self.settings.reach, self.settings.field_of_view
+        self.sight = Sight.of(pose.position, pose.yaw, reach, field_of_view)
+        self._moment = None
+        if self.held:
+            self._carry()
+
+    @cached_property
+    def floor(self) -> WalkableFloor:
+        """Where the robot can walk, on the grid asked for."""
+        if self.settings.grid == GRID:
+            return self.room.floor
+        start = self.room.start.position
+        return WalkableFloor(self.room.bounds, self.room.objects, start, self.settings.grid)
+
+    def configure(self, settings: Settings) -> None:
+        """Behave as `settings` say from now on."""
+        self.settings = settings
+        self.__dict__.pop("floor", None)
+        self.agent = self._agent
+
+    def moment(self) -> Moment:
+        """Return the room at this moment."""
+        if self._moment is None or self._moment.time != self.time:
+            self._moment = Moment(
+                self.room,
+                self.objects,
+                self.footprints,
+                self.openness,
+                self._agent,
+                self.sight,
+                self.settings.field_of_view,
+                self.time,
+            )
+        return self._moment
+
+    def sees(self, name: str) -> bool:
+        """Whether the robot sees that object."""
+        thing = self.objects.get(name)
+        if thing is None or not self.sight.takes_in(self.footprints[name]):
+            return False
+        return not hidden(self.objects, thing)
+
+    def of_type(self, object_type: str) -> list[SceneObject]:
+        """Return the objects of exactly this type."""
+        return [thing for thing in self.objects.values() if thing.type == object_type]
+
+    def inside(self, name: str) -> Iterator[SceneObject]:
+        """Go through all that is in or on an object, however deep."""
+        seen, left = {name}, list(self.objects[name].contents or ())
+        for inner in left:
+            if inner not in seen and inner in self.objects:
+                seen.add(inner)
+                yield self.objects[inner]
+                left += self.objects[inner].contents or ()
+
+    def change(self, name: str, **fields: Any) -> SceneObject:
+        """Give an object other values for some fields."""
+        changed = replace(self.objects[name], **fields)
+        self.objects = self.objects | {name: changed}
+        self._moment = None
+        return changed
+
+    def move(self, name: str, middle: Vector, size: Vector | None = None) -> None:
+        """Move an object's box to be around `middle`, and all that is in or on it along.
+
+        With a `size` its box becomes that large: it was turned over.
+        """
+        thing = self.objects[name]
+        dx, dy, dz = (new - old for new, old in zip(middle, thing.box.center, strict=True))
+        moved = {}
+        for each in (thing, *self.inside(name)):
+            (x, y, z), box = each.position, shifted(each.box, dx, dy, dz)
+            if size and each is thing:
+                box = Box(middle, size)
+            moved[each.id] = replace(each, position=Vector(x + dx, y + dy, z + dz), box=box)
+        self.objects = self.objects | moved
+        areas = {each: footprint(thing.box) for each, thing in moved.items()}
+        self.footprints = self.footprints | areas
+        self._moment = None
+
+    def detach(self, name: str) -> None:
+        """Take an object out of, or off, whatever it is in or on."""
+        for parent in self.objects[name].parents:
+            contents = self.objects[parent].contents or ()
+            self.change(parent, contents=tuple(one for one in contents if one != name))
+        self.change(name, parents=())
+
+    def attach(self, name: str, receptacle: str) -> None:
+        """Put an object that is nowhere in or on `receptacle`, for the record."""
+        contents = self.objects[receptacle].contents or ()
+        self.change(receptacle, contents=(*contents, name))
+        self.change(name, parents=(receptacle,))
+
+    def take(self, name: str) -> None:
+        """Put an object into the robot's hand."""
+        self.detach(name)
+        self.held = name
+        self.change(name, held=True)
+        self._carry()
+
+    def release(self) -> str:
+        """Empty the robot's hand and return what was in it."""
+        name, self.held = self.held, ""
+        self.change(name, held=False)
+        return name
+
+    def add(self, thing: SceneObject) -> None:
+        """Add a new object, in or on what its `parents` say."""
+        self.objects = self.objects | {thing.id: thing}
+        self.footprints = self.footprints | {thing.id: footprint(thing.box)}
+        for parent in thing.parents:
+            contents = self.objects[parent].contents or ()
+            self.change(parent, contents=(*contents, thing.id))
+        self._moment = None
+
+    def remove(self, name: str) -> None:
+        """Remove an object."""
+        self.detach(name)
+        self.objects = {each: thing for each, thing in self.objects.items() if each != name}
+        areas = self.footprints.items()
+        self.footprints = {each: area for each, area in areas if each != name}
+        self.openness = {each: much for each, much in self.openness.items() if each != name}
+        self.warmth.pop(name, None)
+        self._moment = None
+
+    def _carry(self) -> None:
+        (x, _, z), yaw = self._agent.position, self._agent.yaw
+        ahead_x, ahead_z = forward(yaw)
+        middle = Vector(x + HAND_DISTANCE * ahead_x, HAND_HEIGHT, z + HAND_DISTANCE * ahead_z)
+        self.move(self.held, middle)
+
+
+def hidden(objects: Objects, thing: SceneObject, seen: tuple[str, ...] = ()) -> bool:
+    """Whether a thing is inside something closed, however deep.
+
+    Only what can be picked up can be; in real rooms the boxes of cabinets and tables overlap so
+    that fixed things are listed in each other.
+    """
+    if not thing.pickupable:
+        return False
+    for name in thing.parents:
+        parent = objects[name]
+        if parent.openable and not parent.open and parent.type in CONTAINERS:
+            return True
+        if parent.parents and name not in seen and hidden(objects, parent, (*seen, name)):
+            return True
+    return False

@@ -1,0 +1,132 @@
+"""The expert: knows the goal and sees the whole room, and solves any solvable task.
+
+An upper bound, the solution shown in the demo, and the proof that an episode can be solved.
+"""
+
+from collections.abc import Generator, Iterator
+from typing import ClassVar, TypeAlias
+
+from reibench.episode import Goal, TaskType
+from reibench.methods import Instruction
+from reibench.planners import Decision, Plan, planners
+from reibench.scene import SceneObject
+from reibench.skill import Skill, Verb
+from reibench.worlds import Event
+
+Moves: TypeAlias = Generator[Skill, Event, None]
+PLACES_TRIED = 6
+"""How many receptacles of the wanted type are tried before giving up on a full one."""
+SOMEWHERE = ("CounterTop", "DiningTable", "SideTable", "CoffeeTable", "Desk", "Dresser", "Shelf")
+"""Where to leave the knife after slicing, in order of preference."""
+
+
+@planners.register("expert")
+class Expert:
+    """Carry out the goal itself instead of an instruction."""
+
+    reads_goal: ClassVar[bool] = True
+
+    def __init__(self, goal: Goal) -> None:
+        self._goal = goal
+
+    def plan(self, instruction: Instruction, start: Event, skills: tuple[Skill, ...]) -> Plan:
+        """Plan with the scene of each event; `instruction` is not read."""
+        self._event = start
+        moves = self._solve()
+        skill = next(moves, None)
+        while skill is not None:
+            self._event = yield Decision(skill)
+            try:
+                skill = moves.send(self._event)
+            except StopIteration:
+                return
+
+    def _solve(self) -> Moves:
+        goal = self._goal
+        if goal.sliced:
+            yield from self._cut(goal.object)
+        yield from self._fetch(goal.object)
+        match goal.task_type:
+            case TaskType.EXAMINE:
+                yield from self._light(goal.destination)
+                return
+            case TaskType.HEAT:
+                yield from self._heat(goal.object)
+            case TaskType.COOL:
+                yield from self._cool(goal.object)
+            case TaskType.CLEAN:
+                yield from self._clean(goal.object)
+            case TaskType.STACK:
+                yield from self._go_to(goal.movable_receptacle)
+                yield from self._do(Verb.PUT_DOWN, goal.object)
+                yield from self._do(Verb.PICK_UP, goal.movable_receptacle)
+        carried = goal.movable_receptacle or goal.object
+        yield from self._put(carried, goal.destination)
+
+    def _do(self, verb: Verb, name: str) -> Moves:
+        self._event = yield Skill(verb, name)
+
+    def _seen(self, name: str) -> Iterator[SceneObject]:
+        """Yield what is visible and can be called `name`."""
+        scene = self._event.scene
+        for thing in scene.objects:
+            if thing.id in scene.visible and thing.type in (name, f"{name}Sliced"):
+                yield thing
+
+    def _go_to(self, name: str) -> Moves:
+        """Go to a `name`, and open what it is shut in."""
+        yield from self._do(Verb.FIND, name)
+        if next(self._seen(name), None) is not None:
+            return
+        scene = self._event.scene
+        for thing in scene.objects:
+            container = scene.closed_around(thing)
+            if thing.type == name and container and container.id in scene.visible:
+                yield from self._do(Verb.OPEN, container.type)
+                return
+
+    def _fetch(self, name: str) -> Moves:
+        yield from self._go_to(name)
+        yield from self._do(Verb.PICK_UP, name)
+
+    def _put(self, carried: str, receptacle: str) -> Moves:
+        """Put what is carried into some `receptacle`, trying the next where one is full."""
+        for _ in range(PLACES_TRIED):
+            yield from self._do(Verb.FIND, receptacle)
+            if any(thing.openable and not thing.open for thing in self._seen(receptacle)):
+                yield from self._do(Verb.OPEN, receptacle)
+            yield from self._do(Verb.PUT_DOWN, carried)
+            if self._event.success:
+                return
+
+    def _heat(self, name: str) -> Moves:
+        yield from self._put(name, "Microwave")
+        for verb in (Verb.CLOSE, Verb.TURN_ON, Verb.TURN_OFF, Verb.OPEN):
+            yield from self._do(verb, "Microwave")
+        yield from self._do(Verb.PICK_UP, name)
+
+    def _cool(self, name: str) -> Moves:
+        yield from self._put(name, "Fridge")
+        yield from self._do(Verb.CLOSE, "Fridge")
+        yield from self._do(Verb.OPEN, "Fridge")
+        yield from self._do(Verb.PICK_UP, name)
+
+    def _clean(self, name: str) -> Moves:
+        yield from self._put(name, "Sink")
+        yield from self._do(Verb.TURN_ON, "Faucet")
+        yield from self._do(Verb.TURN_OFF, "Faucet")
+        yield from self._do(Verb.PICK_UP, name)
+
+    def _light(self, lamp: str) -> Moves:
+        yield from self._go_to(lamp)
+        if not any(thing.on for thing in self._seen(lamp)):
+            yield from self._do(Verb.TURN_ON, lamp)
+
+    def _cut(self, name: str) -> Moves:
+        scene = self._event.scene
+        knife = "Knife" if scene.of_type("Knife") else "ButterKnife"
+        yield from self._fetch(knife)
+        yield from self._go_to(name)
+        yield from self._do(Verb.SLICE, name)
+        somewhere = next((place for place in SOMEWHERE if scene.of_type(place)), "CounterTop")
+        yield from self._put(knife, somewhere)

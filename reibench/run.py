@@ -1,0 +1,147 @@
+"""Runs: a named choice of parts, played over episodes."""
+
+import hashlib
+import json
+import logging
+from collections.abc import Iterable, Iterator
+from dataclasses import asdict, dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from reibench.backends import Backend
+from reibench.episode import Episode
+from reibench.errors import StoreUnavailable
+from reibench.methods import Instruction, methods
+from reibench.planners import Planner, planners
+from reibench.rollout import MAX_STEPS, Record, Rollout, Step, drive
+from reibench.worlds import World, worlds
+from reibench.worlds.rules import rules_called
+
+if TYPE_CHECKING:
+    from reibench.store import Store
+
+log = logging.getLogger(__name__)
+
+ROOT = Path(__file__).parents[1]
+DECIDING = ("household", "worlds", "planners", "methods", "backends")
+"""Folders whose code can change what a run does, …"""
+DECIDING_MODULES = ("dialogue", "episode", "goals", "rollout", "scene", "skill")
+"""… and modules."""
+
+
+@lru_cache(maxsize=1)
+def code_version() -> str:
+    """Return 12 hex digits that change when code, rooms or examples that decide a run do."""
+    library = ROOT / "reibench"
+    paths = [
+        *(library / f"{name}.py" for name in DECIDING_MODULES),
+        *(path for folder in DECIDING for path in (library / folder).rglob("*.py")),
+        *(ROOT / "assets" / "rooms").glob("*"),
+        *(ROOT / "assets" / "examples").glob("*"),
+    ]
+    sha = hashlib.sha256()
+    for path in sorted(paths):
+        sha.update(path.read_bytes())
+    return sha.hexdigest()[:12]
+
+
+@dataclass(frozen=True)
+class RunSpec:
+    """Everything that decides a run's outcome; stored with each of its records."""
+
+    planner: str = "saycan"
+    method: str = "none"
+    model: str = ""
+    """`llama-cpp:NAME` and the like; empty for planners that ask no model."""
+    world: str = "embedded"
+    rules: str = "strict"
+    max_steps: int = MAX_STEPS
+    seed: int = 0
+    """Added to every episode's own seed, which decides where the robot starts."""
+    code: str = ""
+    """`code_version()` when the run was made."""
+
+    @property
+    def id(self) -> str:
+        """Twelve hex digits; the same for the same spec."""
+        text = json.dumps(asdict(self), sort_keys=True)
+        return hashlib.sha256(text.encode()).hexdigest()[:12]
+
+    @property
+    def actor(self) -> str:
+        """The label of this planner in records and tables."""
+        if not self.model:
+            return self.planner
+        return f"{self.planner}+{self.method}/{self.model}"
+
+    def check(self) -> None:
+        """Refuse unknown names before anything is loaded; raises UnknownName."""
+        planners.get(self.planner)
+        methods.get(self.method)
+        worlds.get(self.world)
+        rules_called(self.rules)
+
+
+def needs_model(planner: str) -> bool:
+    """Whether a planner asks a language model."""
+    return not getattr(planners.get(planner), "reads_goal", False)
+
+
+def make_world(spec: RunSpec) -> World:
+    """Make the world a run is played in."""
+    return worlds.create(spec.world, rules=rules_called(spec.rules))
+
+
+def make_planner(spec: RunSpec, episode: Episode, backend: Backend | None) -> Planner:
+    """Make the planner; only one that reads goals is told the goal."""
+    if needs_model(spec.planner):
+        return planners.create(spec.planner, backend=backend)
+    return planners.create(spec.planner, goal=episode.task.goal)
+
+
+def instruct(spec: RunSpec, episode: Episode, backend: Backend | None) -> Instruction:
+    """Let the method restate the episode's instruction, or not."""
+    if backend is None:
+        said = episode.dialogue.instruction.text
+        return Instruction(text=said, original=said)
+    return methods.create(spec.method).instruct(episode.dialogue, backend)
+
+
+def play(spec: RunSpec, rollout: Rollout, backend: Backend | None) -> Iterator[Step]:
+    """Play one started episode, step by step."""
+    rollout.instruction = instruct(spec, rollout.episode, backend)
+    planner = make_planner(spec, rollout.episode, backend)
+    yield from drive(rollout, planner, rollout.instruction)
+
+
+def evaluate(
+    spec: RunSpec,
+    episodes: Iterable[Episode],
+    backend: Backend | None,
+    world: World,
+    store: "Store",
+) -> Iterator[Record]:
+    """Play `episodes` in turn; each begun leaves one record in `store`, even if it breaks.
+
+    Episodes this spec has finished already are not repeated; one that was cut short is played
+    again from its start, under the same record.
+    """
+    finished = store.finished(spec)
+    for episode in episodes:
+        if episode.id in finished:
+            continue
+        record_id = store.begin(spec, episode)
+        rollout = Rollout(episode, world, max_steps=spec.max_steps)
+        error = ""
+        try:
+            store.started(record_id, rollout.start())
+            for step in play(spec, rollout, backend):
+                store.add_step(record_id, rollout, step)
+        except StoreUnavailable:
+            raise
+        except Exception as problem:
+            # A lost episode would flatter the success rate: it is recorded as an error.
+            log.warning("%s broke: %s", episode.id, problem, exc_info=True)
+            error = f"{type(problem).__name__}: {problem}"
+        yield store.finish(record_id, rollout, spec.actor, error=error)

@@ -1,0 +1,207 @@
+"""Sittings: a visitor and an episode in progress, acted on by the visitor or watched.
+
+The database is the truth: each step is committed before anything is shown, and whatever is only
+in memory (the world) is rebuilt from it by replaying the steps.
+"""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from reibench.backends import Backend
+from reibench.episode import Episode
+from reibench.errors import ReibenchError, StaleStep, unknown
+from reibench.planners import Decision
+from reibench.pool import Lease, Pool
+from reibench.rollout import Rollout
+from reibench.run import RunSpec, code_version, make_world
+from reibench.skill import Skill, parse_skill
+from reibench.store import Entry, Store
+from reibench.watching import Sitting, Watching
+from reibench.worlds import World
+
+PERSON = "person"
+WORLDS_KEPT = 64
+"""Worlds kept ready for visitors who may click again; others are rebuilt by replay."""
+
+
+@dataclass
+class _Live:
+    """A rollout with the world it happens in."""
+
+    rollout: Rollout
+    world: World
+
+
+class Sittings:
+    """All visitors' sittings on one server."""
+
+    def __init__(
+        self,
+        episodes: Sequence[Episode],
+        store: Store,
+        open_model: Callable[[str], Backend],
+        *,
+        spec: RunSpec | None = None,
+    ) -> None:
+        """Serve `episodes`; `spec` says which rules, world and budget everyone plays with."""
+        self.episodes: Mapping[str, Episode] = {each.id: each for each in episodes}
+        self._store = store
+        self._open_model = open_model
+        self._spec = replace(spec or RunSpec(), code=code_version())
+        self._live: Pool[_Live] = Pool(WORLDS_KEPT, lambda live: live.world.close())
+        self._watching = Watching(store, open_model, self._spec)
+
+    # acting oneself
+
+    def open(self, visitor: str, episode_id: str, *, afresh: bool = False) -> Sitting:
+        """Begin an episode for this visitor, or go on with the unfinished one."""
+        episode = self.episode(episode_id)
+        if not afresh:
+            for entry in reversed(self._entries(visitor)):
+                if entry.episode == episode_id and entry.actor == PERSON:
+                    if entry.status is None:
+                        return self._show(entry.id, visitor)
+                    break
+        spec = replace(self._spec, planner=PERSON, method="none", model="")
+        record_id = self._store.begin(spec, episode, actor=PERSON, origin="demo", visitor=visitor)
+        live = self._live.lend(record_id, lambda: self._make(episode)).value
+        if live.rollout.first_event is not None:
+            self._store.started(record_id, live.rollout.first_event)
+        return self._show(record_id, visitor)
+
+    def current(self, visitor: str) -> Sitting | None:
+        """Return what this visitor did last, so that a reload continues there."""
+        entries = [entry for entry in self._entries(visitor) if entry.actor == PERSON]
+        return self._show(entries[-1].id, visitor) if entries else None
+
+    def step(
+        self,
+        sitting_id: str,
+        visitor: str,
+        skill_text: str,
+        expected: int,
+        seconds: float | None = None,
+    ) -> Sitting:
+        """Carry out a skill as step number `expected`, and commit it before returning.
+
+        Args:
+            sitting_id: from the sitting that is shown.
+            visitor: must be whose sitting it is.
+            skill_text: e.g. `find an apple`.
+            expected: the number the page thinks this step has.
+            seconds: from when the page was shown to the click, by the browser's clock.
+
+        Raises:
+            UnknownSkill: for text that is no skill.
+            StaleStep: when the episode has moved on or is over; nothing is done.
+            StoreUnavailable: when the step could not be saved; nothing is done.
+        """
+        decision = Decision(parse_skill(skill_text))
+        entry = self._entry(sitting_id, visitor)
+        lease = self._lease(entry)
+        with lease.lock:
+            rollout = lease.value.rollout
+            self._refuse_if_over(entry)
+            try:
+                step = rollout.step(decision, expected=expected, seconds=seconds)
+                self._store.add_step(sitting_id, rollout, step)
+            except StaleStep:
+                raise
+            except ReibenchError:
+                self._live.take_back(sitting_id)
+                raise
+            if rollout.exhausted:
+                self._store.finish(sitting_id, rollout, PERSON)
+        return self._show(sitting_id, visitor)
+
+    def done(self, sitting_id: str, visitor: str, expected: int) -> Sitting:
+        """End the episode; `expected` is the number the next step would have."""
+        entry = self._entry(sitting_id, visitor)
+        lease = self._lease(entry)
+        with lease.lock:
+            rollout = lease.value.rollout
+            self._refuse_if_over(entry)
+            if expected != len(rollout.steps) + 1:
+                raise StaleStep(f"This tab was behind: the episode is at step {expected}.")
+            rollout.finish()
+            self._store.finish(sitting_id, rollout, PERSON)
+        self._live.take_back(sitting_id)
+        return self._show(sitting_id, visitor)
+
+    # watching a planner
+
+    def solution(self, episode_id: str) -> tuple[Skill, ...]:
+        """Return the expert's skills for an episode."""
+        return self._watching.solution(self.episode(episode_id))
+
+    def watch(
+        self, visitor: str, episode_id: str, method: str, model: str, planner: str = "saycan"
+    ) -> Iterator[Sitting]:
+        """Let a planner act, and yield after each thing that happened; the last has a status."""
+        spec = replace(self._spec, planner=planner, method=method, model=model)
+        return self._watching.watch(visitor, self.episode(episode_id), spec)
+
+    def stop(self, visitor: str) -> None:
+        """End this visitor's running watches after the step they are at."""
+        self._watching.stop(visitor)
+
+    def model_ready(self, model: str) -> bool:
+        """Whether the model is loaded already."""
+        return self._watching.model_ready(model)
+
+    # helpers
+
+    def episode(self, episode_id: str) -> Episode:
+        """Return an episode; raises UnknownName."""
+        if episode_id not in self.episodes:
+            raise unknown("episode", episode_id, self.episodes)
+        return self.episodes[episode_id]
+
+    def _make(self, episode: Episode) -> _Live:
+        world = make_world(self._spec)
+        rollout = Rollout(episode, world, max_steps=self._spec.max_steps)
+        rollout.start()
+        return _Live(rollout, world)
+
+    def _lease(self, entry: Entry) -> Lease[_Live]:
+        def rebuild() -> _Live:
+            live = self._make(self._store.episode_of(entry.id))
+            for decision, seconds in self._store.skills_done(entry.id):
+                live.rollout.step(decision, seconds=seconds)
+            return live
+
+        return self._live.lend(entry.id, rebuild)
+
+    def _entries(self, visitor: str) -> list[Entry]:
+        return self._store.entries("visitor = ? and origin = 'demo'", [visitor])
+
+    def _entry(self, sitting_id: str, visitor: str) -> Entry:
+        """Return the record's entry; another visitor's is as unknown as one that never was."""
+        found = self._store.entries("id = ? and visitor = ?", [sitting_id, visitor])
+        if not found:
+            raise unknown("sitting", sitting_id, ())
+        return found[0]
+
+    def _refuse_if_over(self, entry: Entry) -> None:
+        if self._entry(entry.id, entry.visitor or "").status is not None:
+            raise StaleStep("This episode is over; start it again to go on acting.")
+
+    def _show(self, sitting_id: str, visitor: str) -> Sitting:
+        entry = self._entry(sitting_id, visitor)
+        record = self._store.record(sitting_id)
+        if record.start is None:
+            raise RuntimeError(f"record {sitting_id} has no start scene")
+        over = entry.status is not None
+        return Sitting(
+            id=record.id,
+            visitor=visitor,
+            episode=record.episode,
+            actor=record.actor,
+            start=record.start,
+            steps=record.steps,
+            max_steps=entry.max_steps,
+            status=record.status if over else None,
+            phase="over" if over else "acting",
+            instruction=record.instruction,
+            error=record.error,
+        )

@@ -1,0 +1,285 @@
+"""The store: runs, records and their steps in one SQLite file."""
+
+import hashlib
+import json
+import zlib
+from collections.abc import Iterable
+from dataclasses import asdict, dataclass
+from typing import Literal
+from uuid import uuid4
+
+from sqlite_utils import Database
+
+from reibench.dataset.files import digest, episode_from_json, episode_to_json
+from reibench.episode import Episode
+from reibench.errors import UnknownName
+from reibench.planners import Decision
+from reibench.rollout import Record, Rollout, Step
+from reibench.run import RunSpec
+from reibench.scene import Scene
+from reibench.skill import parse_skill
+from reibench.store import codec
+from reibench.store.database_file import DatabaseFile
+from reibench.store.schema import now
+from reibench.verdict import error_kind
+from reibench.worlds import Event
+
+Origin = Literal["run", "demo"]
+"""Where a record comes from: the command line's runs, or the demo page (never scored together)."""
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A record as the list of records shows it."""
+
+    id: str
+    run: str | None
+    origin: str
+    visitor: str | None
+    actor: str
+    episode: str
+    rules: str
+    max_steps: int
+    status: str | None
+    """None while in progress."""
+
+
+class Store(DatabaseFile):
+    """Runs, records and steps; safe to use from several threads and processes."""
+
+    # writing
+
+    def begin(
+        self,
+        spec: RunSpec,
+        episode: Episode,
+        *,
+        actor: str = "",
+        origin: Origin = "run",
+        visitor: str | None = None,
+    ) -> str:
+        """Note that an episode begins, and return its record's id.
+
+        An unfinished record of the same run and episode is begun again: its steps are dropped,
+        for the same spec makes the same ones, and its attempts are counted.
+        """
+        with self.writing() as database:
+            self._note_run(database, spec)
+            key = digest(episode)
+            text = codec.dump(episode_to_json(episode))
+            database.execute(
+                "insert or ignore into episodes values (?, ?, ?)", [key, episode.id, text]
+            )
+            if origin == "run":
+                cut_short = database.execute(
+                    "select id from records where run = ? and episode = ? and origin = 'run'",
+                    [spec.id, episode.id],
+                ).fetchone()
+                if cut_short:
+                    database.execute("delete from steps where record = ?", [cut_short[0]])
+                    database.execute(
+                        "update records set attempts = attempts + 1, steps = 0, status = null,"
+                        " started = ? where id = ?",
+                        [now(), cut_short[0]],
+                    )
+                    return str(cut_short[0])
+            record_id = uuid4().hex[:12]
+            task = episode.task
+            row = {
+                "id": record_id,
+                "run": spec.id,
+                "origin": origin,
+                "visitor": visitor,
+                "actor": actor or spec.actor,
+                "episode": episode.id,
+                "episode_digest": key,
+                "task": task.id,
+                "task_type": str(task.goal.task_type),
+                "level": str(episode.vagueness),
+                "room": task.setup.room,
+                "rules": spec.rules,
+                "max_steps": spec.max_steps,
+                "started": now(),
+            }
+            names = ", ".join(row)
+            marks = ", ".join("?" * len(row))
+            database.execute(f"insert into records ({names}) values ({marks})", list(row.values()))
+        return record_id
+
+    def _note_run(self, database: Database, spec: RunSpec) -> None:
+        database.execute(
+            "insert or ignore into runs values (?, ?, ?, ?, ?, ?, ?, ?)",
+            [
+                spec.id,
+                spec.actor,
+                spec.planner,
+                spec.method,
+                spec.model,
+                spec.rules,
+                codec.dump(asdict(spec)),
+                now(),
+            ],
+        )
+
+    def started(self, record_id: str, event: Event) -> None:
+        """Note the scene the episode starts in."""
+        text = codec.dump(codec.scene_to_json(event.scene))
+        key = hashlib.sha256(text.encode()).hexdigest()[:16]
+        with self.writing() as database:
+            database.execute("insert or ignore into scenes values (?, ?)", [key, text])
+            database.execute(
+                "update records set start_scene = ?, start_goals = ? where id = ?",
+                [key, codec.goals_to_json(event.goals), record_id],
+            )
+
+    def instructed(self, record_id: str, rollout: Rollout) -> None:
+        """Note what the planner is told."""
+        with self.writing() as database:
+            database.execute(
+                "update records set instruction = ? where id = ?",
+                [codec.instruction_to_json(rollout.instruction), record_id],
+            )
+
+    def add_step(self, record_id: str, rollout: Rollout, step: Step) -> None:
+        """Commit the rollout's step `step`; raises StoreUnavailable and keeps what was there."""
+        before = rollout.steps[step.number - 2] if step.number > 1 else None
+        scene = before.event.scene if before else _scene_at_start(rollout)
+        told = rollout.instruction
+        earlier = before.decision.prompt if before else (told.prompt if told else "")
+        prompt = step.decision.prompt
+        kept = _common(earlier, prompt)
+        with self.writing() as database:
+            database.execute(
+                "insert into steps values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+                [
+                    record_id,
+                    step.number,
+                    step.decision.skill.text,
+                    step.event.success,
+                    step.event.message,
+                    codec.goals_to_json(step.event.goals),
+                    codec.dump(codec.changes_to_json(scene, step.event.scene)),
+                    kept,
+                    zlib.compress(prompt[kept:].encode()),
+                    codec.usage_to_json(step.decision.usage),
+                    codec.alternatives_to_json(step.decision.alternatives),
+                    round(step.seconds, 4),
+                    now(),
+                ],
+            )
+            database.execute("update records set steps = ? where id = ?", [step.number, record_id])
+
+    def finish(self, record_id: str, rollout: Rollout, actor: str, *, error: str = "") -> Record:
+        """Close the record and return it."""
+        record = rollout.record(record_id, actor, error=error)
+        kind = error_kind(record)
+        with self.writing() as database:
+            database.execute(
+                "update records set status = ?, error_kind = ?, said_done = ?, error = ?,"
+                " instruction = ?, finished = ? where id = ?",
+                [
+                    record.status,
+                    kind and str(kind),
+                    record.said_done,
+                    error,
+                    codec.instruction_to_json(record.instruction),
+                    now(),
+                    record_id,
+                ],
+            )
+        return record
+
+    # reading
+
+    def finished(self, spec: RunSpec) -> set[str]:
+        """Return the ids of the episodes this run has finished."""
+        rows = self.query(
+            "select episode from records where run = ? and origin = 'run' and status not null",
+            [spec.id],
+        )
+        return {row["episode"] for row in rows}
+
+    def entries(self, where: str = "1", parameters: Iterable[object] = ()) -> list[Entry]:
+        """Return the records that fit a condition over their columns, oldest first."""
+        rows = self.query(
+            "select id, run, origin, visitor, actor, episode, rules, max_steps, status"
+            f" from records where {where} order by started, rowid",
+            parameters,
+        )
+        return [Entry(**row) for row in rows]
+
+    def episode_of(self, record_id: str) -> Episode:
+        """Return the episode as it was when the record was made."""
+        rows = self.query(
+            "select json from episodes join records on digest = episode_digest"
+            " where records.id = ?",
+            [record_id],
+        )
+        if not rows:
+            raise UnknownName(f"The database {self.path} has no record {record_id!r}.")
+        return episode_from_json(json.loads(rows[0]["json"]))
+
+    def skills_done(self, record_id: str) -> list[tuple[Decision, float]]:
+        """Return a record's decisions and thinking times, in order, without its scenes."""
+        rows = self.query(
+            "select skill, seconds from steps where record = ? order by number", [record_id]
+        )
+        return [(Decision(parse_skill(row["skill"])), row["seconds"]) for row in rows]
+
+    def record(self, record_id: str) -> Record:
+        """Return a whole record, in progress ones with the status they would end in."""
+        episode = self.episode_of(record_id)
+        [row] = self.query("select * from records where id = ?", [record_id])
+        instruction = codec.instruction_from_json(row["instruction"])
+        start = None
+        steps: list[Step] = []
+        if row["start_scene"]:
+            [scene] = self.query("select json from scenes where digest = ?", [row["start_scene"]])
+            start = Event(
+                success=True,
+                message="",
+                scene=codec.scene_from_json(json.loads(scene["json"])),
+                goals=codec.goals_from_json(row["start_goals"]),
+            )
+            steps = self._steps(record_id, start.scene, instruction.prompt if instruction else "")
+        return Record(
+            id=record_id,
+            episode=episode,
+            actor=row["actor"],
+            status=row["status"] or "failure",
+            start=start,
+            steps=tuple(steps),
+            said_done=bool(row["said_done"]),
+            instruction=instruction,
+            error=row["error"],
+        )
+
+    def _steps(self, record_id: str, scene: Scene, prompt: str) -> list[Step]:
+        steps = []
+        for row in self.query("select * from steps where record = ? order by number", [record_id]):
+            scene = codec.changes_from_json(scene, json.loads(row["changes"]))
+            prompt = prompt[: row["prompt_kept"]] + zlib.decompress(row["prompt_rest"]).decode()
+            decision = Decision(
+                skill=parse_skill(row["skill"]),
+                prompt=prompt,
+                usage=codec.usage_from_json(row["usage"]),
+                alternatives=codec.alternatives_from_json(row["alternatives"]),
+            )
+            goals = codec.goals_from_json(row["goals"])
+            event = Event(bool(row["success"]), row["message"], scene, goals)
+            steps.append(Step(row["number"], decision, event, row["seconds"]))
+        return steps
+
+
+def _scene_at_start(rollout: Rollout) -> Scene:
+    if rollout.first_event is None:
+        raise RuntimeError("a rollout that was not started has no step to store")
+    return rollout.first_event.scene
+
+
+def _common(first: str, second: str) -> int:
+    """Return how many leading characters two texts share."""
+    if second.startswith(first):
+        return len(first)
+    pairs = enumerate(zip(first, second, strict=False))
+    return next((place for place, (a, b) in pairs if a != b), min(len(first), len(second)))

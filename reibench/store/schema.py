@@ -1,0 +1,58 @@
+"""The database's tables, made by migrations that are applied in order and noted."""
+
+from collections.abc import Callable
+from datetime import UTC, datetime
+
+from sqlite_utils import Database
+
+Migration = Callable[[Database], None]
+MIGRATIONS: list[Migration] = []
+
+
+def migration(function: Migration) -> Migration:
+    """Add `function` to the migrations, in the order of definition."""
+    MIGRATIONS.append(function)
+    return function
+
+
+def now() -> str:
+    """Return the server's clock, UTC, ISO 8601 to the millisecond."""
+    return datetime.now(UTC).isoformat(timespec="milliseconds")
+
+
+def migrate(database: Database) -> None:
+    """Apply the migrations this database lacks, and note them; call it inside a transaction."""
+    database.execute("create table if not exists migrations (name text primary key, applied text)")
+    done = {row[0] for row in database.execute("select name from migrations")}
+    for change in MIGRATIONS:
+        if change.__name__ not in done:
+            change(database)
+            database.execute("insert into migrations values (?, ?)", [change.__name__, now()])
+
+
+@migration
+def runs_records_and_steps(database: Database) -> None:
+    """Make the first tables."""
+    for statement in (
+        "create table runs (id text primary key, actor text, planner text, method text,"
+        " model text, rules text, spec text not null, created text not null)",
+        "create table episodes (digest text primary key, id text not null, json text not null)",
+        "create table scenes (digest text primary key, json text not null)",
+        "create table records (id text primary key, run text references runs(id),"
+        " origin text not null, visitor text, actor text not null, episode text not null,"
+        " episode_digest text not null references episodes(digest), task text, task_type text,"
+        " level text, room text, rules text not null, max_steps integer not null,"
+        " status text, error_kind text, said_done integer not null default 0,"
+        " error text not null default '', steps integer not null default 0,"
+        " start_scene text references scenes(digest), start_goals text, instruction text,"
+        " attempts integer not null default 1, started text not null, finished text)",
+        "create unique index one_record_per_run_and_episode on records(run, episode)"
+        " where origin = 'run'",
+        "create index records_of_visitor on records(visitor, started)",
+        "create table steps (record text not null references records(id), number integer not null,"
+        " skill text not null, success integer not null, message text not null, goals text,"
+        " changes text not null, prompt_kept integer not null, prompt_rest blob not null,"
+        " usage text not null, alternatives text not null, seconds real not null,"
+        " created text not null, primary key (record, number))",
+    ):
+        database.execute(statement)

@@ -1,0 +1,58 @@
+"""The embedded world: the skill layer over `reibench.household`, no download, display or GPU."""
+
+from collections.abc import Sequence
+
+from reibench.household import Controller, load_room
+from reibench.scene import Scene, Vector
+from reibench.worlds import World, worlds
+from reibench.worlds.rules import STRICT, Rules
+from reibench.worlds.simulator import Outcome
+from reibench.worlds.thor import ThorWorld
+
+
+class EmbeddedSimulator:
+    """`household.Controller` as the skill layer wants it."""
+
+    def __init__(self) -> None:
+        self._controller: Controller | None = None
+
+    def load(self, room: str) -> None:
+        """Set the room as it is at load time."""
+        if self._controller is None:
+            self._controller = Controller(load_room(room))
+        else:
+            self._controller.reset(load_room(room))
+
+    @property
+    def controller(self) -> Controller:
+        """The controller, once a room is loaded."""
+        if self._controller is None:
+            raise RuntimeError("no room is loaded yet; call load first")
+        return self._controller
+
+    def act(self, action: str, **arguments: object) -> Outcome:
+        """Carry out one AI2-THOR action."""
+        event = self.controller.step(action, **arguments)
+        return Outcome(event.success, event.message, event.code)
+
+    def scene(self) -> Scene:
+        """Report the room as it is now."""
+        return self.controller.snapshot()
+
+    def sees(self, object_id: str) -> bool:
+        """Whether the object is visible now."""
+        return self.controller.sees(object_id)
+
+    def reachable(self) -> Sequence[Vector]:
+        """Return the free places of the floor grid."""
+        return self.controller.reachable()
+
+    def close(self) -> None:
+        """Forget the room."""
+        self._controller = None
+
+
+@worlds.register("embedded")
+def embedded_world(rules: Rules = STRICT) -> World:
+    """Make a household world in this process."""
+    return ThorWorld(EmbeddedSimulator(), rules)
