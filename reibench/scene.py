@@ -108,14 +108,17 @@ class Scene:
 
     def closed_around(self, thing: SceneObject) -> SceneObject | None:
         """Return the closed container `thing` is inside, if any, however deep."""
-        for parent_id in thing.parents:
+        # Real metadata holds loops (a cup "in" the counter it stands on), so ids are met once.
+        waiting, met = list(thing.parents), {thing.id}
+        while waiting:
+            parent_id = waiting.pop(0)
             parent = self.by_id.get(parent_id)
-            if parent is None:
+            if parent is None or parent_id in met:
                 continue
+            met.add(parent_id)
             if parent.openable and not parent.open and parent.type in CONTAINERS:
                 return parent
-            if outer := self.closed_around(parent):
-                return outer
+            waiting.extend(parent.parents)
         return None
 
 

@@ -62,8 +62,8 @@ class Watching:
         spec.check()
         world = make_world(spec)
         rollout = Rollout(episode, world, max_steps=spec.max_steps)
-        record_id = self._store.begin(spec, episode, origin="demo", visitor=visitor)
         start = rollout.start()
+        record_id = self._store.begin(spec, episode, origin="demo", visitor=visitor)
         self._store.started(record_id, start)
         sitting = Sitting(record_id, visitor, episode, spec.actor, start, (), spec.max_steps, None)
         error = f"{spec.actor} was left before its end"

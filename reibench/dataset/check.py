@@ -6,7 +6,7 @@ from reibench.dialogue import ReferringExpression, Utterance
 from reibench.episode import Episode, TaskType
 from reibench.errors import ReibenchError
 from reibench.household import Room, load_room
-from reibench.household.objects import may_hold, object_type
+from reibench.household.objects import object_type
 
 NOISE_MENTIONS = 3
 """How often the ambiguous name stands in a noised or short context (appendix B.2)."""
@@ -109,9 +109,11 @@ def _room_problems(episode: Episode) -> Iterator[str]:
 def _placing_problems(episode: Episode, room: Room) -> Iterator[str]:
     goal = episode.task.goal
     carried = goal.movable_receptacle or goal.object
-    if goal.task_type is not TaskType.EXAMINE and not may_hold(goal.destination, carried):
+    if goal.task_type is not TaskType.EXAMINE and not object_type(carried).belongs(
+        goal.destination
+    ):
         yield f"a {carried} may not be put in or on a {goal.destination}"
-    if goal.movable_receptacle and not may_hold(goal.movable_receptacle, goal.object):
+    if goal.movable_receptacle and not object_type(goal.object).belongs(goal.movable_receptacle):
         yield f"a {goal.object} may not be put in a {goal.movable_receptacle}"
     ids = {thing.id for thing in room.objects}
     for placement in episode.task.setup.placements:

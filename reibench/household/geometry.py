@@ -114,4 +114,4 @@ class Sight(NamedTuple):
         if dx * ahead_x + dz * ahead_z >= limit * squared**0.5:
             return True
         dx, dz = middle_x - x, middle_z - z
-        return dx * ahead_x + dz * ahead_z >= limit * (dx * dx + dz * dz) ** 0.5
+        return bool(dx * ahead_x + dz * ahead_z >= limit * (dx * dx + dz * dz) ** 0.5)

@@ -31,6 +31,9 @@ SINGLE = frozenset(
 )
 """Receptacles that hold one thing."""
 
+SOURCES = frozenset("CoffeeMachine Faucet Fridge Microwave StoveBurner Toaster".split())
+"""Types that act by themselves on what is in, on or under them."""
+
 SLICES = {"Apple": 5, "Bread": 6, "Lettuce": 5, "Potato": 5, "Tomato": 5}
 """Into how many pieces a thing is cut; AI2-THOR's numbers vary by model."""
 

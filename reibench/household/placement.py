@@ -1,11 +1,10 @@
 """Where things find room: free spots in and on receptacles."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 from reibench.household.geometry import Footprint, bottom, footprint, top
 from reibench.household.objects import SINGLE, SURFACES, object_type
-from reibench.household.state import State
 from reibench.scene import Box, SceneObject, Vector
 
 STEP = 0.1
@@ -17,7 +16,8 @@ LAYER = 0.3
 SEATS = {"ArmChair": 0.45, "Bed": 0.55, "Chair": 0.47, "Sofa": 0.45, "Stool": 0.7}
 """Height of what one sits or lies on, where the box goes on above it."""
 HANGERS = frozenset(("HandTowelHolder", "TowelHolder", "ToiletPaperHanger"))
-BUILT_IN = frozenset(("CounterTop", "Floor", "Desk", "DiningTable", "CoffeeTable", "SideTable"))
+LAYERED = frozenset(("Cabinet", "Fridge", "LaundryHamper"))
+BUILT_ON = frozenset(("CounterTop", "Floor", "Desk", "DiningTable", "CoffeeTable", "SideTable"))
 """Receptacles that fixed things stand on or are let into without being listed as contents."""
 THIN = 0.04
 """Metres; longer things this thin stand upright in mugs and cups."""
@@ -31,21 +31,26 @@ class Spot(NamedTuple):
 
 
 def free_spot(
-    state: State, thing: SceneObject, receptacle: SceneObject, area: Footprint | None = None
+    objects: Mapping[str, SceneObject],
+    thing: SceneObject,
+    receptacle: SceneObject,
+    near: tuple[float, float],
+    area: Footprint | None = None,
 ) -> Spot | None:
-    """Return the free spot for `thing` in or on `receptacle` that is nearest to the robot.
+    """Return the free spot for `thing` in or on `receptacle` that is nearest to a point (x, z).
 
-    `area` narrows it down to a part of the receptacle; None means there is no room left.
+    The size of `thing` is how it naturally lies; `area` narrows the search to a part of the
+    receptacle. None means there is no room left.
     """
     if receptacle.type in SINGLE and receptacle.contents:
         return None
     if not _fits(thing, receptacle):
         return None
     area = area or footprint(receptacle.box)
-    for size in _postures(state, thing, receptacle):
-        occupied = list(_occupied(state, thing, receptacle, size.y))
+    for size in _postures(thing, receptacle):
+        occupied = list(_occupied(objects, thing, receptacle, size.y))
         for level in _levels(receptacle, size.y):
-            for x, z in _grid(area, size, state):
+            for x, z in _grid(area, size, near):
                 box = Box(Vector(x, level + size.y / 2, z), size)
                 if not any(_overlap(box, other) for other in occupied):
                     return Spot(box.center, size)
@@ -74,13 +79,14 @@ def _fits(thing: SceneObject, receptacle: SceneObject) -> bool:
     return small <= min(width, depth) and middling <= max(width, depth)
 
 
-def _postures(state: State, thing: SceneObject, receptacle: SceneObject) -> list[Vector]:
-    original = state.room.by_id.get(thing.id, thing).box.size
-    thickness, breadth, length = sorted(original)
+def _postures(thing: SceneObject, receptacle: SceneObject) -> list[Vector]:
+    width, height, depth = thing.box.size
+    thickness, breadth, length = sorted(thing.box.size)
     if receptacle.type in ("Mug", "Cup") and breadth <= THIN:
         return [Vector(thickness, length, breadth)]
-    width, height, depth = original
-    return [original] if width == depth else [original, Vector(depth, height, width)]
+    if width == depth:
+        return [thing.box.size]
+    return [thing.box.size, Vector(depth, height, width)]
 
 
 def _levels(receptacle: SceneObject, height: float) -> list[float]:
@@ -88,18 +94,18 @@ def _levels(receptacle: SceneObject, height: float) -> list[float]:
     low = surface(receptacle)
     if receptacle.type in HANGERS:
         return [receptacle.box.center.y - height]
-    if receptacle.type not in ("Cabinet", "Fridge", "LaundryHamper"):
+    if receptacle.type not in LAYERED:
         return [low]
-    tall = receptacle.box.size.y
-    return [low + level * LAYER for level in range(max(1, min(4, int(tall / LAYER))))]
+    count = max(1, min(4, int(receptacle.box.size.y / LAYER)))
+    return [low + level * LAYER for level in range(count)]
 
 
-def _grid(area: Footprint, size: Vector, state: State) -> list[tuple[float, float]]:
-    """Return the middles to try, nearest to the robot first."""
-    here = state.agent.position
+def _grid(area: Footprint, size: Vector, near: tuple[float, float]) -> list[tuple[float, float]]:
+    """Return the middles to try, nearest first."""
+    a, b = near
     columns = _along(area.left, area.right, size.x)
     rows = _along(area.near, area.far, size.z)
-    spots = [((x - here.x) ** 2 + (z - here.z) ** 2, x, z) for x in columns for z in rows]
+    spots = [((x - a) ** 2 + (z - b) ** 2, x, z) for x in columns for z in rows]
     return [(x, z) for _, x, z in sorted(spots)]
 
 
@@ -113,27 +119,25 @@ def _along(low: float, high: float, extent: float) -> list[float]:
 
 
 def _occupied(
-    state: State, thing: SceneObject, receptacle: SceneObject, height: float
+    objects: Mapping[str, SceneObject],
+    thing: SceneObject,
+    receptacle: SceneObject,
+    height: float,
 ) -> Iterable[Box]:
     """Yield the boxes a thing on `receptacle` must keep clear of."""
     for name in receptacle.contents or ():
-        if name != thing.id and not (receptacle.type == "Floor" and _towers(state.objects[name])):
-            yield state.objects[name].box
-    if receptacle.type not in BUILT_IN:
+        if name != thing.id:
+            yield objects[name].box
+    if receptacle.type not in BUILT_ON:
         return
-    low, area = surface(receptacle), state.footprints[receptacle.id]
+    low, area = surface(receptacle), footprint(receptacle.box)
     own = (receptacle.id, thing.id, *receptacle.parents)
-    for other in state.objects.values():
+    for other in objects.values():
         if other.pickupable or other.id in own or other.type in ("Chair", "Stool", "Floor"):
             continue
         low_enough = bottom(other.box) < low + height
-        if low_enough and top(other.box) > low + 0.01 and area.meets(state.footprints[other.id]):
+        if low_enough and top(other.box) > low + 0.01 and area.meets(footprint(other.box)):
             yield other.box
-
-
-def _towers(thing: SceneObject) -> bool:
-    """Whether it is left to the check of all fixed things, which knows its footprint."""
-    return not thing.pickupable and thing.type not in ("Chair", "Stool")
 
 
 def _overlap(one: Box, other: Box) -> bool:

@@ -7,6 +7,7 @@ from typing import Any
 
 from reibench.household.floor import GRID, WalkableFloor
 from reibench.household.geometry import Footprint, Sight, footprint, forward, shifted
+from reibench.household.objects import SOURCES
 from reibench.household.rooms import Room
 from reibench.scene import CONTAINERS, Box, Pose, Scene, SceneObject, Vector
 
@@ -76,6 +77,7 @@ class State:
         self.warmth: dict[str, int] = {}
         """When each hot or cold thing was last kept so."""
         self.time = 0
+        self.sources = [thing.id for thing in room.objects if thing.type in SOURCES]
         self.agent = room.start
         self._moment: Moment | None = None
 

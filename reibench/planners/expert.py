@@ -46,6 +46,8 @@ class Expert:
         if goal.sliced:
             yield from self._cut(goal.object)
         yield from self._fetch(goal.object)
+        if self._event.scene.held is None:
+            return  # what it wants is not to be had: nothing it could still do would help
         match goal.task_type:
             case TaskType.EXAMINE:
                 yield from self._light(goal.destination)

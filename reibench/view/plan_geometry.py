@@ -161,3 +161,26 @@ def turned(thing: SceneObject, canvas: Canvas) -> Turned:
     if min(width, depth) < 0.3 * max(width, depth) and min(cos, sin) > 0.1:
         return Turned(rect.cx, rect.cy, rect.width, rect.height, 0.0)
     return Turned(rect.cx, rect.cy, width, depth, thing.yaw)
+
+
+def bands(thing: SceneObject, canvas: Canvas) -> list[Rect]:
+    """Return the surface of `thing`; a counter deep both ways in a corner is taken as an L.
+
+    AI2-THOR reports only the box around such a counter, which would cover the open floor.
+    """
+    area, floor = canvas.rect(thing.box), canvas.floor
+    depth, near = 0.68 * canvas.scale, 0.22 * canvas.scale
+    left, right = area.x - floor.x < near, floor.right - area.right < near
+    top, bottom = area.y - floor.y < near, floor.bottom - area.bottom < near
+    flat = thing.type == "CounterTop" and thing.box.size.y < 0.3
+    if not (flat and (left or right) and (top or bottom)):
+        return [area]
+    if min(area.width, area.height) < 1.5 * depth:
+        return [area]
+    sides = (
+        (left, Rect(area.x, area.y, depth, area.height)),
+        (right, Rect(area.right - depth, area.y, depth, area.height)),
+        (top, Rect(area.x, area.y, area.width, depth)),
+        (bottom, Rect(area.x, area.bottom - depth, area.width, depth)),
+    )
+    return [band for stands, band in sides if stands]

@@ -8,10 +8,11 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
-from reibench.scene import CONTAINERS, Scene, SceneObject
+from reibench.scene import Scene, SceneObject
+from reibench.view.containment import container, support
 from reibench.view.icons import appearance
 from reibench.view.plan_geometry import Canvas, Rect, Size
-from reibench.view.words import support
+
 
 GAP = 3.0
 """Pixels that stay free between two things."""
@@ -57,22 +58,6 @@ class Layout:
     """What each spot was made for: parents and position in centimetres."""
 
 
-def container(thing: SceneObject, scene: Scene) -> SceneObject | None:
-    """Return the outermost thing with doors or a lid that `thing` is inside, if any."""
-    found = None
-    inside: SceneObject | None = thing
-    for _ in range(8):
-        parents = [scene.by_id[parent] for parent in inside.parents if parent in scene.by_id]
-        inside = next((parent for parent in parents if parent.type in CONTAINERS), None) or (
-            parents[0] if parents else None
-        )
-        if inside is None or inside is thing:
-            break
-        if inside.type in CONTAINERS:
-            found = inside
-    return found
-
-
 def loose(scene: Scene) -> dict[str, tuple[SceneObject, int]]:
     """Return what is drawn as an icon of its own, with how many slices each stands for."""
     shown: dict[str, tuple[SceneObject, int]] = {}
@@ -83,7 +68,7 @@ def loose(scene: Scene) -> dict[str, tuple[SceneObject, int]]:
     for thing in scene.objects:
         if appearance(thing).drawn_as != "icon" or thing.held or thing.id in cut:
             continue
-        if container(thing, scene):
+        if container(thing, scene) is not None:
             continue
         key = (thing.type, thing.parents)
         if thing.type.endswith("Sliced") and key in first_piece:
@@ -103,7 +88,7 @@ def lay_out(scene: Scene, size: Size) -> Layout:
     nodes = [
         _Node(thing, scene, canvas) for thing, _ in shown.values() if _carrier(thing, shown) is None
     ]
-    _relax(nodes, canvas)
+    _relax(nodes, _obstacles(scene, canvas), canvas)
     spots = {node.id: node.spot(shown[node.id][1]) for node in nodes}
     layout = Layout(canvas, spots, {node.id: _place(shown[node.id][0]) for node in nodes})
     return _carried(layout, scene, shown)
@@ -201,9 +186,8 @@ def _obstacles(scene: Scene, canvas: Canvas) -> list[tuple[str, Rect]]:
     ]
 
 
-def _relax(nodes: list[_Node], canvas: Canvas) -> None:
+def _relax(nodes: list[_Node], obstacles: list[tuple[str, Rect]], canvas: Canvas) -> None:
     """Push `nodes` apart, first on what holds them, then a little beyond where that is too full."""
-    obstacles: list[tuple[str, Rect]] = []
     for slack in (0.0, 0.0, 6.0, 14.0, 24.0, 40.0):
         for turn in range(60):
             worst = _push_apart(nodes)

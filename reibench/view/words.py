@@ -1,8 +1,9 @@
 """How pages call things, places and states."""
 
 from reibench.goals import preposition
-from reibench.scene import CONTAINERS, Scene, SceneObject
+from reibench.scene import Scene, SceneObject
 from reibench.skill import in_words, with_article
+from reibench.view.containment import is_empty, support
 
 STATES = ("open", "on", "hot", "cold", "dirty", "sliced", "cooked", "filled", "broken")
 """States that are shown, in the order of their badges."""
@@ -40,22 +41,6 @@ def states(thing: SceneObject) -> tuple[str, ...]:
     return tuple(state for state in STATES if holds[state])
 
 
-def support(thing: SceneObject, scene: Scene) -> SceneObject | None:
-    """Return what `thing` rests in or on: of several, the one whose top is nearest to its bottom."""
-    parents = [scene.by_id[parent] for parent in thing.parents if parent in scene.by_id]
-    if len(parents) < 2:
-        return parents[0] if parents else None
-    containers = [parent for parent in parents if parent.type in CONTAINERS]
-    if containers:
-        return containers[0]
-    bottom = thing.box.center.y - thing.box.size.y / 2
-
-    def gap(parent: SceneObject) -> float:
-        return abs(parent.box.center.y + parent.box.size.y / 2 - bottom)
-
-    return min(parents, key=gap)
-
-
 def place(thing: SceneObject, scene: Scene) -> str:
     """Return where `thing` is, e.g. `on the counter top`; empty where that says nothing."""
     if thing.held:
@@ -67,16 +52,11 @@ def place(thing: SceneObject, scene: Scene) -> str:
 
 
 def described(thing: SceneObject, scene: Scene) -> str:
-    """Return one line about `thing`: name, place, states and, if it is open, whether it is empty."""
+    """Return one line about `thing`: name, place and states, `empty` among them."""
     parts = [name(thing.type), place(thing, scene), *states(thing)]
     if is_empty(thing):
         parts.append("empty")
     return ", ".join(filter(None, parts))
-
-
-def is_empty(thing: SceneObject) -> bool:
-    """Whether `thing` is an open container with nothing in it."""
-    return thing.type in CONTAINERS and thing.open and not thing.contents
 
 
 def a(object_type: str) -> str:

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from reibench.household import Controller, load_room
+from reibench.household import Controller, Room, load_room
 from reibench.scene import Scene, Vector
 from reibench.worlds import World, worlds
 from reibench.worlds.rules import STRICT, Rules
@@ -19,9 +19,13 @@ class EmbeddedSimulator:
     def load(self, room: str) -> None:
         """Set the room as it is at load time."""
         if self._controller is None:
-            self._controller = Controller(load_room(room))
+            self._controller = Controller(self.room_called(room))
         else:
-            self._controller.reset(load_room(room))
+            self._controller.reset(self.room_called(room))
+
+    def room_called(self, name: str) -> Room:
+        """Return the room of that name; raises UnknownName."""
+        return load_room(name)
 
     @property
     def controller(self) -> Controller:

@@ -12,7 +12,7 @@ from enum import StrEnum
 from reibench.errors import unknown
 from reibench.goals import Matches
 from reibench.scene import SceneObject
-from reibench.skill import Skill, Verb, in_words, with_article
+from reibench.skill import Skill, Verb, in_words
 
 
 class Reason(StrEnum):
@@ -114,8 +114,7 @@ def say_precisely(skill: Skill, refused: Refused) -> str:
     """Say what is wrong, naming what stands in the way."""
     thing = in_words(refused.thing.type) if refused.thing else ""
     noun = in_words(skill.object)
-    text = _PRECISE[refused.reason].format(noun=noun, thing=thing, detail=refused.detail)
-    return text if noun != "CD" else text.replace(with_article("CD"), "a CD")
+    return _PRECISE[refused.reason].format(noun=noun, thing=thing, detail=refused.detail)
 
 
 def say_as_published(skill: Skill, refused: Refused) -> str:

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 
 from reibench.episode import Task
 from reibench.goals import Treatments, check
-from reibench.household.objects import may_hold
+from reibench.household.objects import object_type
 from reibench.scene import Pose, SceneObject, Vector
 from reibench.skill import SKILLS, Skill, Verb
 from reibench.worlds import Event
@@ -224,7 +224,7 @@ class ThorWorld:
         if place.id not in self._scene.visible:
             container = self._scene.closed_around(place)
             raise Refused(Reason.CLOSED if container else Reason.NO_PLACE, container)
-        if not self._rules.places_anything and not may_hold(place.type, held.type):
+        if not self._rules.places_anything and not object_type(held.type).belongs(place.type):
             raise Refused(Reason.NOT_ALLOWED, place)
         self._act(
             "PutObject",

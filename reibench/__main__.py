@@ -1,0 +1,51 @@
+"""The command line: `python -m reibench COMMAND`."""
+
+import logging
+import sys
+from argparse import ArgumentParser
+from collections.abc import Sequence
+
+from reibench.commands import benching, checking, listing, replaying, running, scoring, shelving
+from reibench.commands.output import tell
+from reibench.errors import ReibenchError
+
+COMMANDS = {
+    "list": (listing, "what there is: episodes, rooms, skills, planners …"),
+    "models": (shelving, "the model shelf: what is there, and fetching more"),
+    "run": (running, "let a planner play episodes; goes on where it was stopped"),
+    "score": (scoring, "success and error kinds of every run, with intervals"),
+    "replay": (replaying, "play records again, and verify that they come out the same"),
+    "check-dataset": (checking, "are the episodes sound, and can they be solved?"),
+    "bench": (benching, "measure speed and memory"),
+}
+
+
+def parser() -> ArgumentParser:
+    """Return the parser of all commands."""
+    top = ArgumentParser(prog="python -m reibench", description="REI-Bench on the command line.")
+    sub = top.add_subparsers(required=True, metavar="COMMAND")
+    for name, (module, purpose) in COMMANDS.items():
+        module.add(sub.add_parser(name, help=purpose, description=purpose))
+    return top
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command and return its exit status: 2 for a user's mistake."""
+    logging.basicConfig(level=logging.ERROR, format="%(message)s")
+    parsed = parser().parse_args(arguments)
+    try:
+        status: int = parsed.command(parsed)
+    except ReibenchError as problem:
+        tell(str(problem))
+        return 2
+    except KeyboardInterrupt:
+        tell("Stopped. What was finished is kept; the same command goes on from there.")
+        return 130
+    except BrokenPipeError:
+        sys.stderr.close()
+        return 0
+    return status
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,1 @@
+"""The command line's commands, one a file: each adds its parser and carries it out."""

@@ -1,0 +1,50 @@
+"""Options that several commands share."""
+
+import os
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+
+from reibench.dataset.files import read_episodes, shipped_episodes
+from reibench.dataset.sample import select
+from reibench.episode import Episode
+from reibench.errors import ReibenchError, StoreUnavailable
+
+
+def add_episodes(command: ArgumentParser) -> None:
+    """Add the options that choose episodes."""
+    command.add_argument("--episodes", default="all", help="all, levels, types, rooms, ids, FILE")
+    command.add_argument("--limit", type=int, help="at most so many, spread evenly over them")
+    command.add_argument("--data", action="append", default=[], help="an episode file (.jsonl)")
+
+
+def add_database(command: ArgumentParser) -> None:
+    """Add the option that names the database."""
+    default = os.environ.get("REIBENCH_DB", "data/reibench.db")
+    command.add_argument("--db", default=default, help="the SQLite file (default: %(default)s)")
+
+
+def add_json(command: ArgumentParser) -> None:
+    """Add the option that asks for JSON."""
+    command.add_argument("--json", action="store_true", help="print JSON")
+
+
+def chosen_episodes(arguments: Namespace) -> list[Episode]:
+    """Return the chosen episodes; `--limit` takes that many, spread evenly over them."""
+    source = [each for path in arguments.data for each in read_episodes(Path(path))]
+    chosen = select(source or shipped_episodes(), arguments.episodes)
+    limit = arguments.limit
+    if limit is not None and limit < 1:
+        raise ReibenchError(f"--limit {limit} leaves no episode; it must be at least 1.")
+    if not chosen:
+        raise ReibenchError(f"No episode is all of {arguments.episodes!r}.")
+    if limit is None or limit >= len(chosen):
+        return chosen
+    return [chosen[place * len(chosen) // limit] for place in range(limit)]
+
+
+def existing_database(arguments: Namespace) -> Path:
+    """Return the database's path; an empty one made by a typing error would hide it."""
+    path = Path(arguments.db)
+    if not path.exists():
+        raise StoreUnavailable(f"There is no database {path}; `run` makes one, --db names one.")
+    return path

@@ -1,0 +1,80 @@
+"""`run`: let a planner play episodes."""
+
+from argparse import ArgumentParser, Namespace
+from time import perf_counter
+
+from reibench.backends import Backend
+from reibench.backends.opening import open_backend
+from reibench.commands.options import add_database, add_episodes, add_json, chosen_episodes
+from reibench.commands.output import tell
+from reibench.commands.scoring import print_scores
+from reibench.episode import Episode
+from reibench.models import best_present
+from reibench.rollout import MAX_STEPS
+from reibench.run import RunSpec, code_version, evaluate, make_world, needs_model
+from reibench.store import Store
+from reibench.verdict import error_kind
+
+
+def add(command: ArgumentParser) -> None:
+    """Add the command's options."""
+    command.add_argument("--planner", default="saycan", help="see `list planners`")
+    command.add_argument(
+        "--model", help="llama-cpp:NAME, llama-cpp:FILE.gguf … (default: the best that is here)"
+    )
+    command.add_argument("--method", default="none", help="none, tocc …; several with commas")
+    command.add_argument("--world", default="embedded")
+    command.add_argument("--rules", default="strict", help="strict or official")
+    command.add_argument("--max-steps", type=int, default=MAX_STEPS)
+    command.add_argument("--seed", type=int, default=0, help="added to each episode's own seed")
+    add_episodes(command)
+    add_database(command)
+    add_json(command)
+    command.set_defaults(command=run_command)
+
+
+def run_command(arguments: Namespace) -> int:
+    """Play episodes with each planner, method and model asked for; finished ones are kept."""
+    model = ""
+    if needs_model(arguments.planner):
+        model = arguments.model or f"llama-cpp:{best_present()}"
+    specs = [
+        RunSpec(
+            planner=arguments.planner,
+            method=method,
+            model=model,
+            world=arguments.world,
+            rules=arguments.rules,
+            max_steps=arguments.max_steps,
+            seed=arguments.seed,
+            code=code_version(),
+        )
+        for method in arguments.method.split(",")
+    ]
+    for spec in specs:
+        spec.check()
+    chosen = chosen_episodes(arguments)
+    store = Store(arguments.db)
+    backend = open_backend(specs[0].model) if specs[0].model else None
+    for spec in specs:
+        _run(spec, chosen, backend, store)
+    ids = {spec.id for spec in specs}
+    return print_scores(arguments, store, ids)
+
+
+def _run(spec: RunSpec, chosen: list[Episode], backend: Backend | None, store: Store) -> None:
+    before = store.finished(spec)
+    left = [episode for episode in chosen if episode.id not in before]
+    tell(f"{spec.actor}: {len(chosen)} episodes, {len(chosen) - len(left)} finished before")
+    world = make_world(spec)
+    begun = perf_counter()
+    for number, record in enumerate(evaluate(spec, left, backend, world, store), start=1):
+        taken = perf_counter() - begun
+        remaining = taken / number * (len(left) - number)
+        kind = error_kind(record)
+        outcome = record.status if kind is None else f"{record.status}, {kind}"
+        tell(
+            f"[{number}/{len(left)}] {record.episode.id}: {outcome}, {len(record.steps)} steps;"
+            f" {taken:.0f} s, about {remaining:.0f} s left"
+        )
+    world.close()

@@ -1,0 +1,248 @@
+"""AI2-THOR 5's event metadata: written from a moment, read back into a scene."""
+
+from collections.abc import Iterable, Mapping
+from itertools import product
+from typing import Any
+
+from reibench.errors import InvalidRoom, UnknownName
+from reibench.household.geometry import forward, volume
+from reibench.household.objects import ObjectType, object_type
+from reibench.household.state import HAND_DISTANCE, HAND_HEIGHT, Moment
+from reibench.scene import Box, Pose, Scene, SceneObject, Vector
+
+CAMERA = 0.675
+"""Metres from the robot's position up to its camera, as in AI2-THOR."""
+NOWHERE = {"x": 0.0, "y": 0.0, "z": 0.0}
+Metadata = dict[str, Any]
+
+
+def agent_metadata(moment: Moment, *, width: int = 300, height: int = 300) -> Metadata:
+    """Return all that AI2-THOR reports of a moment, but for how the last action went."""
+    scene, pose = moment.scene, moment.agent
+    held = scene.held
+    return {
+        "objects": [object_metadata(moment, thing) for thing in scene.objects],
+        "isSceneAtRest": True,
+        "agent": {
+            "name": "agent",
+            "position": _point(pose.position),
+            "rotation": _turn(pose.yaw),
+            "cameraHorizon": pose.horizon,
+            "isStanding": pose.standing,
+            "inHighFrictionArea": False,
+        },
+        "heldObjectPose": _hand(pose),
+        "arm": None,
+        "fov": moment.field_of_view,
+        "cameraPosition": _point(_camera(pose)),
+        "cameraOrthSize": 0.0,
+        "thirdPartyCameras": [],
+        "collided": False,
+        "collidedObjects": [],
+        "inventoryObjects": [{"objectId": held.id, "objectType": held.type}] if held else [],
+        "sceneName": scene.room,
+        "screenWidth": width,
+        "screenHeight": height,
+        "agentId": 0,
+        "depthFormat": "Meters",
+        **dict.fromkeys(_UNUSED),
+        "actionIntReturn": 0,
+        "actionFloatReturn": 0.0,
+        "visibleRange": None,
+        "currentTime": float(moment.time),
+        "sceneBounds": _box(scene.bounds),
+    }
+
+
+def object_metadata(moment: Moment, thing: SceneObject) -> Metadata:
+    """Return what AI2-THOR reports of one object."""
+    kind = object_type(thing.type)
+    (x, y, z), here = thing.position, moment.agent.position
+    distance = ((x - here.x) ** 2 + (y - here.y) ** 2 + (z - here.z) ** 2) ** 0.5
+    seen = thing.id in moment.scene.visible
+    openness = moment.openness.get(thing.id, 1.0) if thing.open else 0.0
+    return {
+        "name": thing.name,
+        "objectId": thing.id,
+        "objectType": thing.type,
+        "assetId": "",
+        "position": _point(thing.position),
+        "rotation": _turn(thing.yaw),
+        "visible": seen,
+        "isInteractable": seen,
+        "distance": distance,
+        "receptacle": thing.receptacle,
+        "receptacleObjectIds": None if thing.contents is None else list(thing.contents),
+        "parentReceptacles": list(thing.parents) or None,
+        "pickupable": thing.pickupable,
+        "isPickedUp": thing.held,
+        "moveable": thing.moveable,
+        "isMoving": False,
+        "openable": thing.openable,
+        "isOpen": thing.open,
+        "openness": openness,
+        **_states(thing),
+        "mass": kind.mass,
+        "salientMaterials": _materials(kind, thing),
+        "controlledObjects": list(moment.room.controls.get(thing.id, ())) or None,
+        "axisAlignedBoundingBox": _box(thing.box),
+        "objectOrientedBoundingBox": _corners(thing.box) if thing.pickupable else None,
+    }
+
+
+def _states(thing: SceneObject) -> Metadata:
+    return {
+        "toggleable": thing.toggleable,
+        "isToggled": thing.on,
+        "breakable": thing.breakable,
+        "isBroken": thing.broken,
+        "canFillWithLiquid": thing.fillable,
+        "isFilledWithLiquid": thing.filled,
+        "fillLiquid": thing.liquid or None,
+        "dirtyable": thing.dirtyable,
+        "isDirty": thing.dirty,
+        "canBeUsedUp": False,
+        "isUsedUp": False,
+        "cookable": thing.cookable,
+        "isCooked": thing.cooked,
+        "sliceable": thing.sliceable,
+        "isSliced": thing.sliced,
+        "temperature": thing.temperature,
+        "isHeatSource": thing.heat_source,
+        "isColdSource": thing.cold_source,
+    }
+
+
+def scene_from_metadata(metadata: Mapping[str, Any]) -> Scene:
+    """Read AI2-THOR 5's metadata, or a bare table of objects by id.
+
+    Raises:
+        InvalidRoom: when something a scene needs is missing or of the wrong form.
+    """
+    try:
+        return _read(metadata)
+    except KeyError as error:
+        raise InvalidRoom(f"The metadata lack {error}.") from None
+    except (TypeError, ValueError, AttributeError) as error:
+        raise InvalidRoom(f"The metadata hold a value of the wrong form ({error}).") from None
+    except UnknownName as error:
+        raise InvalidRoom(f"The metadata name an unknown object type: {error}") from None
+
+
+def _read(metadata: Mapping[str, Any]) -> Scene:
+    described: list[Mapping[str, Any]] = (
+        metadata["objects"] if "objects" in metadata else list(metadata.values())
+    )
+    volumes = {
+        each["objectId"]: volume(_read_box(each["axisAlignedBoundingBox"])) for each in described
+    }
+    objects = tuple(_read_object(each, volumes) for each in described)
+    agent = metadata.get("agent")
+    bounds = metadata.get("sceneBounds")
+    return Scene(
+        room=str(metadata.get("sceneName", "")).removesuffix("_physics"),
+        objects=objects,
+        agent=_read_pose(agent) if agent else Pose(Vector(0.0, 0.0, 0.0), 0.0),
+        visible=frozenset(each["objectId"] for each in described if each["visible"]),
+        bounds=_read_box(bounds) if bounds else Box(Vector(0, 0, 0), Vector(0, 0, 0)),
+    )
+
+
+def _read_pose(agent: Mapping[str, Any]) -> Pose:
+    return Pose(
+        _read_point(agent["position"]),
+        float(agent["rotation"]["y"]),
+        float(agent["cameraHorizon"]),
+        bool(agent["isStanding"]),
+    )
+
+
+def _read_object(each: Mapping[str, Any], volumes: Mapping[str, float]) -> SceneObject:
+    # AI2-THOR lists parents in no useful order; the smallest is the one a thing lies on.
+    parents = [name for name in each["parentReceptacles"] or () if name in volumes]
+    contents = each["receptacleObjectIds"]
+    return SceneObject(
+        id=each["objectId"],
+        type=each["objectType"],
+        name=each["name"],
+        position=_read_point(each["position"]),
+        yaw=float(each["rotation"]["y"]),
+        box=_read_box(each["axisAlignedBoundingBox"]),
+        parents=tuple(sorted(parents, key=lambda name: volumes[name])),
+        contents=None if contents is None else tuple(contents),
+        pickupable=each["pickupable"],
+        moveable=each["moveable"],
+        openable=each["openable"],
+        toggleable=each["toggleable"],
+        sliceable=each["sliceable"],
+        breakable=each["breakable"],
+        dirtyable=each["dirtyable"],
+        fillable=each["canFillWithLiquid"],
+        cookable=each["cookable"],
+        heat_source=each["isHeatSource"],
+        cold_source=each["isColdSource"],
+        held=each["isPickedUp"],
+        open=each["isOpen"],
+        on=each["isToggled"],
+        sliced=each["isSliced"],
+        broken=each["isBroken"],
+        dirty=each["isDirty"],
+        filled=each["isFilledWithLiquid"],
+        liquid=each["fillLiquid"] or "",
+        cooked=each["isCooked"],
+        temperature=each["temperature"],
+    )
+
+
+def _read_point(point: Mapping[str, float]) -> Vector:
+    return Vector(float(point["x"]), float(point["y"]), float(point["z"]))
+
+
+def _read_box(box: Mapping[str, Any]) -> Box:
+    return Box(_read_point(box["center"]), _read_point(box["size"]))
+
+
+def _point(point: Vector) -> dict[str, float]:
+    return {"x": point.x, "y": point.y, "z": point.z}
+
+
+def _turn(yaw: float) -> dict[str, float]:
+    return {"x": 0.0, "y": yaw, "z": 0.0}
+
+
+def _camera(pose: Pose) -> Vector:
+    return pose.position._replace(y=pose.position.y + (CAMERA if pose.standing else 0.0))
+
+
+def _hand(pose: Pose) -> Metadata:
+    ahead_x, ahead_z = forward(pose.yaw)
+    x, z = pose.position.x + HAND_DISTANCE * ahead_x, pose.position.z + HAND_DISTANCE * ahead_z
+    return {
+        "position": {"x": x, "y": HAND_HEIGHT, "z": z},
+        "rotation": _turn(pose.yaw),
+        "localPosition": {"x": 0.0, "y": HAND_HEIGHT - CAMERA, "z": HAND_DISTANCE},
+        "localRotation": dict(NOWHERE),
+    }
+
+
+def _materials(kind: ObjectType, thing: SceneObject) -> list[str] | None:
+    return list(kind.materials) if thing.pickupable or thing.moveable else None
+
+
+def _box(box: Box) -> Metadata:
+    return {**_corners(box), "center": _point(box.center), "size": _point(box.size)}
+
+
+def _corners(box: Box) -> Metadata:
+    sides: Iterable[tuple[float, float]] = (
+        (middle + extent / 2, middle - extent / 2)
+        for middle, extent in zip(box.center, box.size, strict=True)
+    )
+    return {"cornerPoints": [list(corner) for corner in product(*sides)]}
+
+
+_UNUSED = (
+    "colors flatSurfacesOnGrid distances normals isOpenableGrid segmentedObjectIds objectIdsInBox"
+    " actionStringsReturn actionFloatsReturn actionVector3sReturn"
+).split()
+"""Keys that are null unless an action fills them that has no place here."""

@@ -1,0 +1,71 @@
+"""Shared pieces: shipped episodes, real worlds, a temporary store, a script instead of a model."""
+
+import os
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+
+from reibench.backends.scripted import ScriptedBackend
+from reibench.dataset.files import shipped_episodes
+from reibench.episode import Episode
+from reibench.planners import Decision
+from reibench.rollout import Rollout
+from reibench.skill import parse_skill
+from reibench.store import Store
+from reibench.worlds import World, worlds
+
+SHARED = Path(os.environ.get("REIBENCH_SHARED", Path(__file__).parents[1] / ".." / "shared"))
+
+
+@pytest.fixture(scope="session")
+def episodes() -> dict[str, Episode]:
+    return {episode.id: episode for episode in shipped_episodes()}
+
+
+@pytest.fixture
+def episode(episodes) -> Episode:
+    return episodes["heat_potato.mixed-noised"]
+
+
+@pytest.fixture
+def world() -> Iterator[World]:
+    made = worlds.create("embedded")
+    yield made
+    made.close()
+
+
+@pytest.fixture
+def store(tmp_path) -> Store:
+    return Store(tmp_path / "records.db")
+
+
+@pytest.fixture
+def script() -> Callable[..., ScriptedBackend]:
+    """Make a backend that gives the answers in turn."""
+    return lambda *answers: ScriptedBackend(answers)
+
+
+@pytest.fixture
+def click(world) -> Callable[..., Rollout]:
+    """Play an episode by hand: skills in words, one after another."""
+
+    def play(episode: Episode, *skills: str, max_steps: int = 30) -> Rollout:
+        rollout = Rollout(episode, world, max_steps=max_steps)
+        rollout.start()
+        for text in skills:
+            rollout.step(Decision(parse_skill(text)))
+        return rollout
+
+    return play
+
+
+@pytest.fixture(scope="session")
+def shared_data() -> Path:
+    """Return the folder of real AI2-THOR files, which is not part of this repository."""
+    folder = SHARED / "data"
+    if not folder.exists():
+        if os.environ.get("CI"):
+            pytest.fail(f"CI needs {folder}; set REIBENCH_SHARED to where the real files are")
+        pytest.skip(f"no real AI2-THOR files at {folder}; REIBENCH_SHARED says where they are")
+    return folder

@@ -1,0 +1,81 @@
+"""Scores count every episode begun, and their parts add up."""
+
+from itertools import pairwise
+
+import pytest
+
+from reibench.report import score_report, score_rows
+from reibench.run import RunSpec, evaluate
+from reibench.score import paired, records_frame, sign_test, summarise, wilson
+from reibench.worlds import worlds
+
+DONE = RunSpec(model="scripted:done")
+EXPERT = RunSpec(planner="expert")
+
+
+@pytest.fixture
+def scored(store, episodes, script):
+    """Two runs over nine episodes: the expert, and a model that always says done at once."""
+    chosen = [each for each in episodes.values() if each.task.id == "cool_apple"]
+    list(evaluate(EXPERT, chosen, None, worlds.create("embedded"), store))
+    backend = script(*[" done"] * 8, " juggle")
+    list(evaluate(DONE, chosen, backend, worlds.create("embedded"), store))
+    return store
+
+
+def test_every_episode_counts_and_the_parts_add_up(scored):
+    expert, done = score_rows(scored, None, "level")
+    assert (expert["episodes"], expert["success"]) == (9, 9)
+    assert (done["episodes"], done["success"]) == (9, 0)
+    assert done["object_omission"] == 8
+    assert done["breakdown"] == 1
+    kinds = ("success", "object_omission", "execution_error", "breakdown")
+    assert sum(done[kind] for kind in kinds) == done["episodes"]
+
+
+def test_runs_are_compared_on_the_episodes_both_finished(scored):
+    versus = paired(records_frame(scored), EXPERT.id, DONE.id)
+    assert versus["episodes"] == versus["only_first"] == 9
+    assert versus["p"] == pytest.approx(2 / 2**9)
+
+
+def test_levels_are_counted_apart(scored):
+    levels = summarise(records_frame(scored), ["run", "level"])
+    assert list(levels["episodes"]) == [1] * 18
+
+
+def test_picking_the_object_but_missing_the_goal_is_an_execution_error(store, episode, script):
+    backend = script(" find a potato", " pick up the potato", " done")
+    list(evaluate(DONE, [episode], backend, worlds.create("embedded"), store))
+    [row] = score_rows(store, None, "level")
+    assert (row["execution_error"], row["object_omission"]) == (1, 0)
+
+
+def test_an_unlit_lamp_is_an_omitted_object(store, episodes, script):
+    backend = script(" find a credit card", " pick up the credit card", " done")
+    episode = episodes["light_card.mixed-short"]
+    list(evaluate(DONE, [episode], backend, worlds.create("embedded"), store))
+    [row] = score_rows(store, None, "level")
+    assert (row["execution_error"], row["object_omission"]) == (0, 1)
+
+
+def test_nothing_run_yet_is_said(store):
+    assert score_report(score_rows(store, None, "level"), "level") == "No episode has been run yet."
+
+
+def test_wilson_intervals_are_the_textbook_ones():
+    # Newcombe (1998), Table I: 81 of 263, 15 of 148, 0 of 20, 1 of 29.
+    assert wilson(81, 263) == pytest.approx((0.2553, 0.3662), abs=1e-4)
+    assert wilson(15, 148) == pytest.approx((0.0624, 0.1605), abs=1e-4)
+    assert wilson(0, 20) == pytest.approx((0.0, 0.1611), abs=1e-4)
+    assert wilson(1, 29) == pytest.approx((0.0061, 0.1718), abs=1e-4)
+
+
+def test_wilson_intervals_shrink_with_more_trials():
+    widths = [high - low for low, high in (wilson(n // 2, n) for n in (10, 100, 1000))]
+    assert all(a > b for a, b in pairwise(widths))
+
+
+def test_the_sign_test_is_exact():
+    assert sign_test(13, 1) == pytest.approx(0.00183, abs=1e-5)
+    assert sign_test(0, 0) == 1.0
