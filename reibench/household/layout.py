@@ -61,8 +61,9 @@ class Draft:
     """Floor that has to stay free."""
 
     def __post_init__(self) -> None:
-        size = Vector(self.width, 0.1, self.depth)
-        self.floor = self.add("Floor", Box(Vector(0, -0.05, 0), size)).id
+        # What one walks on is its upper side, at height 0, and that is where it is said to be.
+        size = Vector(self.width, 0.0, self.depth)
+        self.floor = self.add("Floor", Box(Vector(0.0, 0.0, 0.0), size)).id
 
     @property
     def walls(self) -> tuple[Wall, ...]:
@@ -141,7 +142,7 @@ class Draft:
         gap: float = 0.03,
         corner: bool = False,
     ) -> tuple[Wall, float] | None:
-        """Find a place against a wall where something fits, with its passage; None if there is none.
+        """Find a place against a wall where something fits, with its passage, if there is one.
 
         The passage is kept free from then on; `corner` prefers corners to the middle of walls.
         """
@@ -197,9 +198,10 @@ class Draft:
 
 
 def _make(kind: str, box: Box, yaw: float, parent: str) -> SceneObject:
-    traits = object_type(kind).traits
+    of_kind = object_type(kind)
     position = _rounded(Vector(box.center.x, bottom(box), box.center.z))
     ident = _ident(kind, position)
+    traits: dict[str, Any] = {trait: trait in of_kind.traits for trait in TRAITS[1:]}
     return SceneObject(
         id=ident,
         type=kind,
@@ -208,10 +210,10 @@ def _make(kind: str, box: Box, yaw: float, parent: str) -> SceneObject:
         yaw=yaw,
         box=box,
         parents=(parent,) if parent else (),
-        contents=() if "receptacle" in traits else None,
-        open=object_type(kind).opens_by_default,
-        on=object_type(kind).on_by_default,
-        **{trait: trait in traits for trait in TRAITS[1:]},
+        contents=() if "receptacle" in of_kind.traits else None,
+        open=of_kind.opens_by_default,
+        on=of_kind.on_by_default,
+        **traits,
     )
 
 

@@ -11,6 +11,8 @@ STEP = 0.1
 """Metres between the spots tried, at least; large surfaces are tried more coarsely."""
 MOST = 12
 """Spots tried along a side."""
+EDGE = 0.03
+"""Metres things keep from the edge where they can."""
 LAYER = 0.3
 """Height of a level inside a fridge or cabinet."""
 SEATS = {"ArmChair": 0.45, "Bed": 0.55, "Chair": 0.47, "Sofa": 0.45, "Stool": 0.7}
@@ -81,12 +83,14 @@ def _fits(thing: SceneObject, receptacle: SceneObject) -> bool:
 
 def _postures(thing: SceneObject, receptacle: SceneObject) -> list[Vector]:
     width, height, depth = thing.box.size
+    turned = Vector(depth, height, width)
     thickness, breadth, length = sorted(thing.box.size)
     if receptacle.type in ("Mug", "Cup") and breadth <= THIN:
         return [Vector(thickness, length, breadth)]
-    if width == depth:
-        return [thing.box.size]
-    return [thing.box.size, Vector(depth, height, width)]
+    if receptacle.type in HANGERS:
+        rail = receptacle.box.size
+        return [turned if (width > depth) != (rail.x > rail.z) else thing.box.size]
+    return [thing.box.size] if width == depth else [thing.box.size, turned]
 
 
 def _levels(receptacle: SceneObject, height: float) -> list[float]:
@@ -110,7 +114,7 @@ def _grid(area: Footprint, size: Vector, near: tuple[float, float]) -> list[tupl
 
 
 def _along(low: float, high: float, extent: float) -> list[float]:
-    inset = min(extent, high - low) / 2
+    inset = min(extent + 2 * EDGE, high - low) / 2
     span = high - low - 2 * inset
     count = min(MOST, int(span / STEP) + 1)
     if count <= 1:

@@ -18,7 +18,7 @@ def number(value: float) -> str:
     return f"{value:.1f}".removesuffix(".0")
 
 
-def element(name: str, *children: str, **attributes: Value) -> str:
+def element(name: str, /, *children: str, **attributes: Value) -> str:
     """Return one element; `children` are markup, attribute values are escaped here.
 
     `class_` and `for_` lose their underscore, other underscores become hyphens. False and None

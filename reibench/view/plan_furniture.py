@@ -25,7 +25,8 @@ _INLAID = {"Sink": 1, "StoveKnob": 2, "SinkBasin": 2, "BathtubBasin": 2, "StoveB
 
 def furniture(scene: Scene, canvas: Canvas) -> tuple[str, str]:
     """Return all furniture of `scene`: what stands, and what hangs above it."""
-    standing, hanging = [], []
+    standing: Drawing = []
+    hanging: Drawing = []
     stove = _stove(scene, canvas)
     for thing in sorted(scene.objects, key=_cover):
         if appearance(thing).drawn_as != "silhouette" or thing.type == "Floor":
@@ -41,6 +42,8 @@ def furniture(scene: Scene, canvas: Canvas) -> tuple[str, str]:
 
 def _cover(thing: SceneObject) -> float:
     """Return the height that decides what covers what; taps and burners lie on what holds them."""
+    if thing.type == "Chair":
+        return 0.45  # its seat: pushed in, it is under the table
     top = thing.box.center.y + thing.box.size.y / 2
     return top + _INLAID.get(thing.type, 3 if thing.type == "Faucet" else 0)
 

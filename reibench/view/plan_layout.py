@@ -13,7 +13,6 @@ from reibench.view.containment import container, support
 from reibench.view.icons import appearance
 from reibench.view.plan_geometry import Canvas, Rect, Size
 
-
 GAP = 3.0
 """Pixels that stay free between two things."""
 LARGE = frozenset(("Bread", "HousePlant", "Pan", "Pillow", "Plate", "Pot", "TeddyBear", "Box"))
@@ -204,7 +203,7 @@ def _relax(nodes: list[_Node], obstacles: list[tuple[str, Rect]], canvas: Canvas
 
 
 def _push_apart(nodes: list[_Node]) -> float:
-    """Move every two that are too close away from each other; return the worst overlap there was."""
+    """Move every two that are too close apart; return the worst overlap there was."""
     worst = 0.0
     for index, one in enumerate(nodes):
         for other in nodes[index + 1 :]:

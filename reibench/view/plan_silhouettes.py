@@ -26,6 +26,10 @@ def _box(width: float, depth: float, kind: str, corner: float = 4.0, inset: floa
     return rect(area, kind, min(corner, min(area.width, area.height) / 2))
 
 
+def _door(x: float, y: float, swing_x: float, swing_y: float) -> str:
+    return line(x, y, x + swing_x, y + swing_y, "door")
+
+
 def _table(thing: SceneObject, width: float, depth: float) -> Drawing:
     return [_box(width, depth, "table", 6)]
 
@@ -108,14 +112,9 @@ def _fridge(thing: SceneObject, width: float, depth: float) -> Drawing:
         _box(width, depth, "cavity" if thing.open else "inset", 3, 5),
     ]
     if thing.open:
-        door = f"M{number(width / 2)} {number(-depth / 2)}l{number(width * 0.3)} {number(-width * 0.62)}"
-        return [*drawn, path(door, "door")]
-    return [
-        *drawn,
-        path(
-            f"M{number(-width / 2 + 8)} {number(-depth / 2 + 2.5)}h{number(width * 0.28)}", "handle"
-        ),
-    ]
+        return [*drawn, _door(width / 2, -depth / 2, width * 0.3, -width * 0.62)]
+    left, top = number(-width / 2 + 8), number(-depth / 2 + 2.5)
+    return [*drawn, path(f"M{left} {top}h{number(width * 0.28)}", "handle")]
 
 
 def _microwave(thing: SceneObject, width: float, depth: float) -> Drawing:
@@ -124,8 +123,7 @@ def _microwave(thing: SceneObject, width: float, depth: float) -> Drawing:
     dots = [circle(width / 2 - 7, -depth / 4 + at * depth / 4, 1.8, "dot") for at in (0, 1, 2)]
     drawn = [_box(width, depth, "appliance", 4), rect(window, inside, 3), *dots]
     if thing.open:
-        door = f"M{number(-width / 2 + 2)} {number(-depth / 2)}l{number(-width * 0.12)} {number(-width * 0.5)}"
-        drawn.append(path(door, "door"))
+        drawn.append(_door(-width / 2 + 2, -depth / 2, -width * 0.12, -width * 0.5))
     return drawn
 
 
@@ -166,12 +164,7 @@ def _safe(thing: SceneObject, width: float, depth: float) -> Drawing:
         _box(width, depth, "cavity" if thing.open else "inset", 2, 4),
     ]
     if thing.open:
-        drawn.append(
-            path(
-                f"M{number(width / 2)} {number(-depth / 2)}l{number(width * 0.25)} {number(-width * 0.5)}",
-                "door",
-            )
-        )
+        drawn.append(_door(width / 2, -depth / 2, width * 0.25, -width * 0.5))
         return drawn
     return [*drawn, circle(0, -depth * 0.1, min(width, depth) * 0.14, "knob")]
 
@@ -247,18 +240,16 @@ def _knob(thing: SceneObject, width: float, depth: float) -> Drawing:
 
 def _lamp(thing: SceneObject, width: float, depth: float) -> Drawing:
     radius = min(width, depth) * 0.4
-    rays = path(
-        "".join(
-            f"M0 {number(side * radius * 1.1)}v{number(side * 5)}M{number(side * radius * 1.1)} 0h{number(side * 5)}"
-            for side in (-1, 1)
-        ),
-        "rays",
-    )
+    far, near = radius * 1.1 + 5, radius * 1.1
+    rays = [
+        line(x * near, y * near, x * far, y * far, "rays")
+        for x, y in ((0, 1), (0, -1), (1, 0), (-1, 0))
+    ]
     lit = "lit" if thing.on else "trim"
     return [
         circle(0, 0, radius, "seat"),
         circle(0, 0, radius * 0.5, lit),
-        *([rays] if thing.on else []),
+        *(rays if thing.on else []),
     ]
 
 

@@ -13,11 +13,10 @@ _GLASS = frozenset(("ShowerDoor", "ShowerGlass"))
 def room_shell(canvas: Canvas) -> str:
     """Return walls and floor, with half-metre tiles as a ruler without numbers."""
     floor, step = canvas.floor, canvas.scale / 2
-    lines = []
-    for index in range(1, int(floor.width / step) + 1):
-        lines.append(f"M{number(floor.x + index * step)} {number(floor.y)}V{number(floor.bottom)}")
-    for index in range(1, int(floor.height / step) + 1):
-        lines.append(f"M{number(floor.x)} {number(floor.y + index * step)}H{number(floor.right)}")
+    across = [floor.x + at * step for at in range(1, int(floor.width / step) + 1)]
+    down = [floor.y + at * step for at in range(1, int(floor.height / step) + 1)]
+    lines = [f"M{number(x)} {number(floor.y)}V{number(floor.bottom)}" for x in across]
+    lines += [f"M{number(floor.x)} {number(y)}H{number(floor.right)}" for y in down]
     outer = Rect(0, 0, canvas.width, canvas.height)
     return rect(outer, "wall", 7) + rect(floor, "floor", 2) + path("".join(lines), "tile")
 

@@ -137,3 +137,19 @@ def add_drawers(
                 else Box(Vector(x + off, middle, z), Vector(*extent))
             )
             draft.add("Drawer", box, yaw)
+
+
+def add_chairs(draft: Draft, table: Box, count: int) -> None:
+    """Push chairs under the long sides of a table, or the short ones of a small one."""
+    (x, _, z), (width, _, depth) = table
+    chair = Vector(0.42, 0.9, 0.42)
+    across = width >= depth
+    for number in range(count):
+        side = 1 if number % 2 else -1
+        off = (0.0 if count == 2 else (0.27 if number < 2 else -0.27)) * max(width, depth) / 1.1
+        out = ((depth if across else width) / 2 + 0.08) * side
+        middle = Vector(x + off, 0.45, z + out) if across else Vector(x + out, 0.45, z + off)
+        yaw = (180.0 if side > 0 else 0.0) if across else (270.0 if side > 0 else 90.0)
+        core = footprint(Box(middle, chair)).grown(-0.15)
+        if not any(core.meets(each) for each in draft.bodies):
+            draft.stand("Chair", Box(middle, chair), yaw)

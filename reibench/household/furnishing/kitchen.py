@@ -5,6 +5,7 @@ from typing import NamedTuple
 from reibench.household.furnishing.common import (
     Cramped,
     add_bin,
+    add_chairs,
     add_door,
     add_drawers,
     add_plant,
@@ -40,7 +41,7 @@ def furnish_kitchen(draft: Draft) -> None:
     fridge = Vector(0.76, 1.85, 0.8)
     side, mirrored = (left, 1) if draft.random.random() < 0.5 else (right, -1)
     # The fridge ends the counter at the corner where the second wall has none.
-    corner = -mirrored * (draft.width / 2 - fridge.x / 2 - 0.03) * -1
+    corner = mirrored * (draft.width / 2 - fridge.x / 2 - 0.03)
     draft.stand("Fridge", back.box(corner, fridge, gap=0.03), back.yaw)
     draft.reserve(footprint(back.box(corner, fridge._replace(z=PASSAGE), gap=0.03 + fridge.z)))
     inner = corner - mirrored * (fridge.x / 2 + 0.03)
@@ -55,13 +56,15 @@ def furnish_kitchen(draft: Draft) -> None:
     add_door(draft)
     if draft.wants("DiningTable"):
         _dining_table(draft)
+    elif draft.random.random() < 0.7:
+        _island(draft)
     if draft.wants("SideTable"):
         place(draft, "SideTable", Vector(0.5, 0.7, 0.45))
     if draft.wants("Shelf"):
         hang(draft, "Shelf", Vector(0.8, 0.25, 0.25), 1.4)
     add_bin(draft)
     if draft.wants("HousePlant"):
-        add_plant(draft, tuple(counters[1:]))
+        add_plant(draft, ())
     add_windows(draft, 1, "Blinds" if draft.wants("Blinds") else "")
 
 
@@ -171,7 +174,8 @@ def _appliances(draft: Draft, counters: list[SceneObject]) -> None:
         ("Toaster", Vector(0.3, 0.2, 0.2)),
     ]
     for kind, extent in kinds:
-        spots = [spot for counter in reversed(counters) for spot in _backs(draft, counter, extent)]
+        draft.random.shuffle(counters)
+        spots = [spot for counter in counters for spot in _backs(draft, counter, extent)]
         if not spots:
             raise Cramped(kind)
         counter, wall, along = spots[0]
@@ -203,6 +207,20 @@ def _backs(
     return found
 
 
+def _island(draft: Draft) -> None:
+    """Build a counter with cabinets into the open floor."""
+    box = draft.in_the_open(Vector(1.3, TOP, DEPTH), 0.75)
+    if box is None:
+        return
+    draft.bodies.append(footprint(box))
+    (x, _, z), (width, _, depth) = box
+    slab = Box(Vector(x, TOP - SLAB / 2, z), Vector(width, SLAB, depth))
+    draft.add("CounterTop", slab)
+    for off in (-0.25, 0.25):
+        middle = Vector(x + off * width, 0.48, z)
+        draft.add("Cabinet", Box(middle, Vector(width / 2 - 0.02, 0.76, depth - 0.04)), 180)
+
+
 def _dining_table(draft: Draft) -> None:
     """Put a table with chairs into the open floor, or against a wall."""
     long = draft.random.choice((1.1, 1.3))
@@ -213,24 +231,8 @@ def _dining_table(draft: Draft) -> None:
         if box is not None:
             break
     if box is None:
-        table, _, _ = place(draft, "DiningTable", Vector(0.9, 0.78, 0.7), passage=0.5)
+        place(draft, "DiningTable", Vector(0.9, 0.78, 0.7), passage=0.5)
         return
     draft.stand("DiningTable", box)
     if draft.wants("Chair", 0.9):
         add_chairs(draft, box, draft.random.choice((2, 4)))
-
-
-def add_chairs(draft: Draft, table: Box, count: int) -> None:
-    """Push chairs under the long sides of a table, or the short ones of a small one."""
-    (x, _, z), (width, _, depth) = table
-    chair = Vector(0.42, 0.9, 0.42)
-    across = width >= depth
-    for number in range(count):
-        side = 1 if number % 2 else -1
-        off = (0.0 if count == 2 else (0.27 if number < 2 else -0.27)) * max(width, depth) / 1.1
-        out = ((depth if across else width) / 2 + 0.08) * side
-        middle = Vector(x + off, 0.45, z + out) if across else Vector(x + out, 0.45, z + off)
-        yaw = (180.0 if side > 0 else 0.0) if across else (270.0 if side > 0 else 90.0)
-        area = footprint(Box(middle, chair))
-        if not any(area.grown(-0.15).meets(each) for each in draft.bodies[:-1] if each is not area):
-            draft.stand("Chair", Box(middle, chair), yaw)

@@ -1,0 +1,177 @@
+"""Making rooms up: furniture along the walls, things in and on it, decided by a seed.
+
+`python -m reibench.household.generate` writes the rooms that come with the project.
+"""
+
+from collections.abc import Collection, Mapping
+from random import Random
+
+from reibench.errors import InvalidRoom, unknown
+from reibench.household.belongings import add_belongings, put, spare_portables
+from reibench.household.floor import STANDING, WalkableFloor
+from reibench.household.furnishing import FURNISHERS
+from reibench.household.furnishing.common import Cramped
+from reibench.household.geometry import footprint
+from reibench.household.layout import CEILING, Draft
+from reibench.household.objects import ROOM_KINDS, object_type
+from reibench.household.plans import PLANS, Plan
+from reibench.household.rooms import ROOMS, Room, save_room, with_contents
+from reibench.scene import Box, Pose, SceneObject, Vector
+
+ATTEMPTS = 300
+ARM = 1.0
+"""Metres within which the robot must get to everything."""
+EXTENTS = {
+    "kitchen": ((3.9, 4.7), (3.6, 4.3)),
+    "living room": ((4.6, 5.6), (4.2, 5.0)),
+    "bedroom": ((3.7, 4.4), (3.6, 4.2)),
+    "bathroom": ((3.5, 4.0), (3.0, 3.6)),
+}
+"""Least and greatest width and depth in metres."""
+
+
+def generate_room(
+    kind: str,
+    seed: int,
+    *,
+    name: str,
+    require: Collection[str] = (),
+    objects: int | None = None,
+    allow: Collection[str] | None = None,
+    where: Mapping[str, str] | None = None,
+) -> Room:
+    """Make up a room; the same arguments give the same room.
+
+    Args:
+        kind: `kitchen`, `living room`, `bedroom` or `bathroom`.
+        seed: decides everything left open.
+        name: what the room will be called.
+        require: types it must have.
+        objects: about how many objects it should have; None for as many as real rooms.
+        allow: small and optional types that may appear beside the required ones; None for any.
+        where: for some types, the type of receptacle they start in or on.
+
+    Raises:
+        UnknownName: for a kind or type there is none of.
+        InvalidRoom: when no room like that works out.
+    """
+    if kind not in ROOM_KINDS:
+        raise unknown("kind of room", kind, ROOM_KINDS)
+    for each in (*require, *(allow or ())):
+        object_type(each)
+    for attempt in range(ATTEMPTS):
+        draft = _start(kind, Random(f"{kind} {seed} {attempt}"), require, objects, allow)
+        try:
+            FURNISHERS[kind](draft)
+        except Cramped:
+            continue
+        add_belongings(draft, where or {})
+        if objects is not None:
+            _fit_number(draft, objects)
+        room = _finish(draft, name)
+        if not shortcomings(room, require):
+            return room
+    raise InvalidRoom(f"No {kind} with seed {seed} and all that is asked of it worked out.")
+
+
+def planned_room(name: str, plan: Plan) -> Room:
+    """Make one of the rooms that come with the project."""
+    return generate_room(
+        plan.kind,
+        plan.seed,
+        name=name,
+        require=plan.require,
+        allow=plan.require if plan.closed else None,
+        where=plan.where,
+    )
+
+
+def main() -> None:
+    """Write the rooms that come with the project."""
+    for name, plan in PLANS.items():
+        save_room(planned_room(name, plan), ROOMS / f"{name}.json")
+
+
+def shortcomings(room: Room, require: Collection[str] = ()) -> list[str]:
+    """Say what is wrong with a room: what is missing, in the way or out of reach."""
+    present = {thing.type for thing in room.objects}
+    wrong = [f"no {name}" for name in sorted(set(require) - present)]
+    if len(room.reachable) < 12:
+        wrong.append("hardly any floor to walk on")
+    for thing in room.objects:
+        used = thing.receptacle or thing.openable or thing.toggleable or thing.pickupable
+        if used and not approachable(room, thing):
+            wrong.append(f"{thing.id} is out of reach")
+    return wrong
+
+
+def approachable(room: Room, thing: SceneObject) -> bool:
+    """Whether the robot can stand near enough to a thing."""
+    area = footprint(thing.box)
+    return any(area.distance(point.x, point.z) <= ARM for point in room.reachable)
+
+
+def _start(
+    kind: str,
+    random: Random,
+    require: Collection[str],
+    objects: int | None,
+    allow: Collection[str] | None,
+) -> Draft:
+    (least, most), (shallow, deep) = EXTENTS[kind]
+    plenty = 1.0 if objects is None else min(2.0, max(0.5, objects / 50))
+    # Many objects need more room, but rooms grow slower than what is in them.
+    stretch = max(1.0, plenty**0.4)
+    return Draft(
+        kind,
+        random,
+        round(random.uniform(least, most) * stretch, 1),
+        round(random.uniform(shallow, deep) * stretch, 1),
+        frozenset(require),
+        None if allow is None else frozenset(allow),
+        plenty,
+    )
+
+
+def _fit_number(draft: Draft, objects: int) -> None:
+    """Take out or put in small and spare things until there are about that many objects."""
+    order = list(draft.things.values())
+    draft.random.shuffle(order)
+    for thing in sorted(order, key=_dispensable):
+        if len(draft.things) <= objects:
+            break
+        needed = thing.type in draft.require or _dispensable(thing) > 5
+        if not needed and not draft.things[thing.id].contents:
+            draft.remove(thing.id)
+    names = [name for name in spare_portables(draft.kind) if _may_appear(draft, name)]
+    for _ in range(5 * objects if names else 0):
+        if len(draft.things) >= objects:
+            break
+        put(draft, draft.random.choice(names))
+
+
+def _may_appear(draft: Draft, name: str) -> bool:
+    return draft.allow is None or name in draft.allow or name in draft.require
+
+
+def _dispensable(thing: SceneObject) -> int:
+    """Return how soon a thing is left out of a small room; over 5 never."""
+    if thing.type in ("Painting", "Poster", "Window", "Blinds", "Curtains", "Mirror"):
+        return 0
+    if thing.pickupable:
+        return 1
+    ranks = {"Chair": 2, "HousePlant": 2, "Shelf": 3, "Cabinet": 3, "Drawer": 4, "SideTable": 5}
+    return ranks.get(thing.type, 9)
+
+
+def _finish(draft: Draft, name: str) -> Room:
+    bounds = Box(Vector(0.0, CEILING / 2, 0.0), Vector(draft.width, CEILING, draft.depth))
+    things = with_contents(list(draft.things.values()))
+    points = WalkableFloor(bounds, things, None).points or (Vector(0.0, STANDING, 0.0),)
+    start = draft.random.choice(points)
+    yaw = float(draft.random.choice((0, 90, 180, 270)))
+    return Room(name, draft.kind, bounds, things, Pose(start, yaw), draft.controls)
+
+
+if __name__ == "__main__":
+    main()

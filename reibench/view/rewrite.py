@@ -1,0 +1,71 @@
+"""What a method made of the instruction, word by word."""
+
+import re
+from difflib import SequenceMatcher
+
+from reibench.methods import Instruction
+from reibench.view.markup import element, text
+
+_WORD = re.compile(r"\w+(?:['’]\w+)*|[^\w\s]")
+_SHORT = 2
+"""Words that stay between two changes are shown as changed too if they are this few."""
+
+
+def word_diff(before: str, after: str) -> str:
+    """Return `after` with what it drops from `before` struck out and what it adds marked."""
+    old, new = _words(before), _words(after)
+    folded = [word.lower() for word in old], [word.lower() for word in new]
+    matcher = SequenceMatcher(None, *folded, autojunk=False)
+    parts: list[str] = []
+    for kept, old_words, new_words in _joined(matcher, old, new):
+        if kept:
+            parts.append(text(_spaced(new_words)))
+            continue
+        if old_words:
+            parts.append(element("del", text(_spaced(old_words))))
+        if new_words:
+            parts.append(element("ins", text(_spaced(new_words))))
+    return _tight(" ".join(parts))
+
+
+def rewritten_box(instruction: Instruction, method: str) -> str:
+    """Return a box that shows how `method` restated the instruction."""
+    title = element("h3", f"Rewritten by {text(method)} before planning")
+    if instruction.rewritten:
+        body = element("p", word_diff(instruction.original, instruction.text))
+    else:
+        body = element("p", "It left the instruction as it was said.", class_="muted")
+    return element("div", title, body, class_="told")
+
+
+_Run = tuple[bool, list[str], list[str]]
+
+
+def _joined(matcher: SequenceMatcher[str], old: list[str], new: list[str]) -> list[_Run]:
+    """Return runs of kept and changed words; a change may swallow short words in its midst."""
+    runs: list[_Run] = []
+    codes = matcher.get_opcodes()
+    for index, (kind, a, b, c, d) in enumerate(codes):
+        kept = kind == "equal"
+        words = [word for word in new[c:d] if word[0].isalnum()]
+        inner = 0 < index < len(codes) - 1
+        if kept and inner and len(words) <= _SHORT and sum(map(len, words)) < 7:
+            kept = False
+        if runs and not kept and not runs[-1][0]:
+            _, old_words, new_words = runs.pop()
+            runs.append((False, old_words + old[a:b], new_words + new[c:d]))
+        else:
+            runs.append((kept, old[a:b], new[c:d]))
+    return runs
+
+
+def _words(sentence: str) -> list[str]:
+    return _WORD.findall(sentence)
+
+
+def _spaced(words: list[str]) -> str:
+    return re.sub(r"\s+([.,;:!?)])", r"\1", " ".join(words))
+
+
+def _tight(markup: str) -> str:
+    return re.sub(r" ([.,;:!?])", r"\1", markup)

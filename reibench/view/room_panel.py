@@ -1,0 +1,98 @@
+"""The room as the page shows it: plan for wide and narrow screens, list, legend."""
+
+from collections.abc import Sequence
+
+from reibench.scene import Scene
+from reibench.view.icons import icon, inline
+from reibench.view.markup import element, text
+from reibench.view.plan import floor_plan, legend
+from reibench.view.plan_geometry import PHONE, WIDE
+from reibench.view.plan_layout import arrange
+from reibench.view.room_list import room_list
+from reibench.view.topbar import room_name
+from reibench.view.words import a, states
+
+
+def room_panel(scenes: Sequence[Scene], *, live: bool = True) -> str:
+    """Return the room after the last of `scenes`; the earlier ones decide what stays where.
+
+    Args:
+        scenes: the room at the start and after each step.
+        live: whether things can be acted on.
+    """
+    scene = scenes[-1]
+    layout = arrange(scenes, WIDE)
+    label = f"{room_name(scene.room)}, seen from above"
+    wide = element("div", floor_plan(scene, layout, label=label), class_="wide-plan")
+    small = floor_plan(scene, arrange(scenes, PHONE), label=label)
+    narrow = element("div", small, class_="phone-plan")
+    box = element("div", wide, narrow, class_="planbox")
+    listed = element("div", room_list(scene), class_="roomlist")
+    return element(
+        "section",
+        _header(scene),
+        element("div", box, listed, class_="roomwrap"),
+        element("div", class_="surface", aria_label="Things beside each other"),
+        legend(scene, layout),
+        class_="room live" if live else "room",
+        aria_label="Room",
+    )
+
+
+def _header(scene: Scene) -> str:
+    plan_or_list = element(
+        "div",
+        element("button", "Plan", type="button", role="tab", data_room="plan"),
+        element("button", "List", type="button", role="tab", data_room="list"),
+        class_="seg sm",
+        role="tablist",
+        aria_label="How the room is shown",
+    )
+    return element(
+        "header",
+        element("h2", "Room"),
+        held_chip(scene),
+        element("span", class_="grow"),
+        plan_or_list,
+        element(
+            "button",
+            "Names <kbd>N</kbd>",
+            type="button",
+            class_="btn sm hide-m",
+            data_do="names",
+            aria_pressed="false",
+        ),
+        _zoom("+", "zoom-in", "Zoom in"),
+        _zoom("−", "zoom-out", "Zoom out"),
+    )
+
+
+def _zoom(sign: str, what: str, words: str) -> str:
+    return element(
+        "button", sign, type="button", class_="btn sm icon zoom", data_do=what, aria_label=words
+    )
+
+
+def held_chip(scene: Scene) -> str:
+    """Return what the robot holds, as a chip; nothing if its hand is empty."""
+    held = scene.held
+    if held is None:
+        return ""
+    state = "".join(f", {each}" for each in states(held))
+    words = element("span", text(f"holding {a(held.type)}{state}"))
+    return element("span", inline(icon(held)), words, class_="chip holding")
+
+
+def room_loading() -> str:
+    """Return the outline of a room that is being set up."""
+    bars = "".join(element("i", class_=f"bone b{number}") for number in (1, 2, 3))
+    outline = element("div", bars, class_="planbox bones", aria_hidden="true")
+    waiting = element("p", "Setting up the room …", class_="muted small")
+    return element(
+        "section",
+        element("header", element("h2", "Room")),
+        element("div", outline, waiting, class_="roomwrap"),
+        class_="room",
+        aria_label="Room",
+        aria_busy="true",
+    )

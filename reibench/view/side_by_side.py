@@ -1,0 +1,274 @@
+"""One episode, two runs: rewritten instruction, steps aligned, rooms and verdicts beside them."""
+
+from collections.abc import Sequence
+
+from reibench.episode import Episode
+from reibench.rollout import Step
+from reibench.view.actor_panel import WAITING, record_of
+from reibench.view.alignment import Row, align, first_difference
+from reibench.view.dialogue import utterance_text
+from reibench.view.icons import mark
+from reibench.view.markup import classes, element, text
+from reibench.view.outcome import goal_conditions, verdict, verdict_box
+from reibench.view.plan import floor_plan
+from reibench.view.plan_geometry import ASIDE
+from reibench.view.plan_layout import arrange
+from reibench.view.rewrite import word_diff
+from reibench.view.topbar import episode_chips
+from reibench.watching import Sitting
+
+SIGNS = {"same": "=", "differs": "≠", "left only": "+", "right only": "+"}
+
+
+def side_by_side(
+    episode: Episode,
+    left: Sitting | None,
+    right: Sitting | None,
+    *,
+    method: str = "TOCC",
+    row: int | None = None,
+    notice: str = "",
+) -> str:
+    """Return the comparison of a run without and a run with `method`.
+
+    Args:
+        episode: what both were asked.
+        left: the run without; None before it began.
+        right: the run with.
+        method: what the page calls the method.
+        row: index of the aligned row whose rooms are shown; the last if None.
+        notice: something that went wrong.
+    """
+    rows = align(_skills(left), _skills(right))
+    at = len(rows) - 1 if row is None else max(0, min(row, len(rows) - 1))
+    running = any(run is not None and run.status is None for run in (left, right))
+    over = left is not None and right is not None and not running
+    split = first_difference(rows) if left and right else None
+    parts = [_head(episode, method, begun=left is not None, running=running)]
+    if notice:
+        parts.append(element("p", text(notice), class_="notice bad", role="alert"))
+    parts.append(_instructions(episode, right, method))
+    parts.append(_stage(left, right, rows, split if over else None, at, method))
+    parts.append(_verdicts(left, right))
+    return element(
+        "section",
+        *parts,
+        class_=classes("sbs", running=running, over=over),
+        id="sbs",
+        aria_label=f"Without and with {method}",
+        data_row=at,
+        data_rows=len(rows),
+        data_split=-1 if split is None else split,
+        data_left=left.id if left else "",
+        data_right=right.id if right else "",
+        data_running="true" if running else "false",
+    )
+
+
+def _skills(run: Sitting | None) -> list:  # type: ignore[type-arg]
+    return [step.decision.skill for step in run.steps] if run else []
+
+
+def _head(episode: Episode, method: str, *, begun: bool, running: bool) -> str:
+    title = element("h1", f"One instruction, without and with {text(method)}")
+    if running:
+        controls = [element("button", "Stop", type="button", class_="btn stop", data_do="stop")]
+    elif not begun:
+        controls = [
+            element("button", "Watch both", type="button", class_="btn primary", data_do="watch")
+        ]
+    else:
+        controls = [
+            _control("first", "⏮", "First step (Home)"),
+            _control("back", "◀", "Back (←)"),
+            element(
+                "button",
+                element("span", "Play"),
+                element("kbd", "Space", class_="hide-m"),
+                type="button",
+                class_="btn primary play",
+                data_do="play",
+            ),
+            _control("forward", "▶", "Forward (→)"),
+            element(
+                "button",
+                "To divergence",
+                element("kbd", "V", class_="hide-m"),
+                type="button",
+                class_="btn",
+                data_do="split",
+            ),
+            element("button", "Again", type="button", class_="btn quiet", data_do="watch"),
+        ]
+    leave = element(
+        "button", "×", type="button", class_="btn icon quiet", data_do="leave",
+        aria_label="Back to acting myself", title="Back (Esc)",
+    )  # fmt: skip
+    return element(
+        "div", title, episode_chips(episode), element("span", class_="grow"), *controls, leave,
+        class_="head",
+    )  # fmt: skip
+
+
+def _control(what: str, sign: str, words: str) -> str:
+    return element(
+        "button",
+        sign,
+        type="button",
+        class_="btn icon",
+        data_do=what,
+        aria_label=words,
+        title=words,
+    )
+
+
+def _instructions(episode: Episode, right: Sitting | None, method: str) -> str:
+    turns = len(episode.dialogue.context)
+    said = element(
+        "div",
+        element("h2", f"Said after {_turns(turns)}" if turns else "Said", class_="label"),
+        element("p", utterance_text(episode.dialogue.instruction)),
+        class_="card show-re",
+    )
+    told = right.instruction if right else None
+    if told is None:
+        body = element("p", "Not rewritten yet.", class_="muted")
+    elif told.rewritten:
+        body = element("p", word_diff(told.original, told.text))
+    else:
+        body = element("p", "It left the instruction as it was said.", class_="muted")
+    heading = element("h2", f"Rewritten by {text(method)} before planning", class_="label")
+    return element("div", said, element("div", heading, body, class_="card"), class_="instr")
+
+
+def _turns(count: int) -> str:
+    words = "one two three four five six seven eight nine".split()
+    number = words[count - 1] if count <= len(words) else str(count)
+    return f"{number} turn{'s' if count > 1 else ''} of dialogue"
+
+
+def _stage(
+    left: Sitting | None,
+    right: Sitting | None,
+    rows: Sequence[Row],
+    split: int | None,
+    at: int,
+    method: str,
+) -> str:
+    signs = [_sign(row, index == split) for index, row in enumerate(rows)]
+    middle = element("div", *signs, class_="mid", aria_hidden="true")
+    return element(
+        "div",
+        _picture(left, _reached(rows, at, "left")),
+        _lane("SayCan", "plain", left, rows, split, at, "left"),
+        middle,
+        _lane(f"SayCan + {method}", "tocc", right, rows, split, at, "right"),
+        _picture(right, _reached(rows, at, "right")),
+        class_="stage",
+    )
+
+
+def _reached(rows: Sequence[Row], at: int, side: str) -> int:
+    """Return how many steps of one run are done at row `at`."""
+    indexes = [getattr(row, side) for row in rows[: at + 1]]
+    return sum(index is not None for index in indexes)
+
+
+def _sign(row: Row, divides: bool) -> str:
+    if divides:
+        return element("div", element("span", "first<br>difference"), class_="div")
+    return element("div", SIGNS[row.kind], class_="ne" if row.kind == "differs" else "")
+
+
+def _lane(
+    title: str,
+    colour: str,
+    run: Sitting | None,
+    rows: Sequence[Row],
+    split: int | None,
+    at: int,
+    side: str,
+) -> str:
+    count = f"{len(run.steps)} steps" if run else ""
+    heading = element(
+        "h2",
+        element("i", class_=f"key {colour}"),
+        text(title),
+        element("span", class_="grow"),
+        element("span", count, class_="muted small num"),
+    )
+    cells = [
+        _cell(run, getattr(row, side), row, index, divides=index == split, here=index == at)
+        for index, row in enumerate(rows)
+    ]
+    if run is not None and run.status is None and run.phase in WAITING:
+        pulse = element("span", class_="pulse", aria_hidden="true")
+        cells.append(element("div", pulse, f"{WAITING[run.phase]} …", class_="ln waiting"))
+    return element("section", heading, *cells, class_=f"lane {side}", aria_label=title)
+
+
+def _cell(
+    run: Sitting | None, index: int | None, row: Row, number: int, *, divides: bool, here: bool
+) -> str:
+    if run is None or index is None:
+        return element("div", class_=classes("ln gap", here=here), data_row=number)
+    step = run.steps[index]
+    differs = row.kind == "differs"
+    words = _underlined(step) if differs else text(step.decision.skill.text)
+    refused = element("span", mark("no"), class_="mk no", title=step.event.message)
+    tone = ("good" if run.status == "success" else "bad") if divides else ""
+    return element(
+        "div",
+        element("span", str(step.number), class_="n"),
+        element("span", words, class_="words"),
+        "" if step.event.success else refused,
+        class_=classes("ln", tone, same=row.kind == "same", here=here),
+        data_row=number,
+        title=step.event.message,
+    )
+
+
+def _underlined(step: Step) -> str:
+    """Return a step's words with its object underlined, which is where two runs differ."""
+    skill = step.decision.skill
+    thing = skill.text.removeprefix(f"{skill.verb} ").split(" ", 1)[-1]
+    return text(skill.text[: len(skill.text) - len(thing)]) + element("u", text(thing))
+
+
+def _picture(run: Sitting | None, reached: int) -> str:
+    if run is None:
+        return element("div", class_="aside")
+    events = [run.start, *(step.event for step in run.steps[:reached])]
+    focus = run.episode.task.goal.objects
+    plan = floor_plan(
+        events[-1].scene, arrange([event.scene for event in events], ASIDE), focus=focus
+    )
+    figure = element(
+        "figure",
+        element("div", plan, class_="pl"),
+        element("figcaption", _caption(run, reached)),
+        class_="pic",
+    )
+    goals = goal_conditions(run.start, run.steps[:reached])
+    return element("div", figure, goals, class_="aside")
+
+
+def _caption(run: Sitting, reached: int) -> str:
+    if reached == 0:
+        return f"{element('b', 'Start.')} Nothing done yet."
+    step = run.steps[reached - 1]
+    ended = run.status is not None and reached == len(run.steps)
+    label = "End." if ended else f"Step {step.number}."
+    message = step.event.message or f"{step.decision.skill.text}: done."
+    return f"{element('b', label)} {text(message[:1].upper() + message[1:])}"
+
+
+def _verdicts(left: Sitting | None, right: Sitting | None) -> str:
+    boxes = []
+    for run in (left, right):
+        if run is not None and run.status is not None:
+            found = verdict(record_of(run), budget=run.max_steps)
+            boxes.append(verdict_box(found, wide=True))
+        else:
+            boxes.append(element("div", class_="verdict none"))
+    return element("div", *boxes, class_="verd") if any(boxes) else ""
