@@ -9,8 +9,10 @@ import pytest
 from reibench.backends.scripted import ScriptedBackend
 from reibench.dataset.files import shipped_episodes
 from reibench.episode import Episode
+from reibench.methods import Instruction
 from reibench.planners import Decision
-from reibench.rollout import Rollout
+from reibench.planners.expert import Expert
+from reibench.rollout import Rollout, drive
 from reibench.skill import parse_skill
 from reibench.store import Store
 from reibench.worlds import World, worlds
@@ -58,6 +60,16 @@ def click(world) -> Callable[..., Rollout]:
         return rollout
 
     return play
+
+
+@pytest.fixture(scope="session")
+def solution(episodes) -> tuple[str, ...]:
+    """Return the skills, in words, that solve `episode`."""
+    task = episodes["heat_potato.mixed-noised"].task
+    rollout = Rollout(episodes["heat_potato.mixed-noised"], worlds.create("embedded"))
+    rollout.start()
+    told = Instruction(text="", original="")
+    return tuple(s.decision.skill.text for s in drive(rollout, Expert(task.goal), told))
 
 
 @pytest.fixture(scope="session")

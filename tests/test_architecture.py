@@ -30,7 +30,7 @@ LEVELS = {
     "bench": 8, "commands": 8, "pages": 8, "__main__": 8,
 }  # fmt: skip
 MODULES = sorted((ROOT / "reibench").rglob("*.py"))
-HEAVY = ("torch", "ai2thor", "gradio", "xllamacpp", "transformers", "pandas")
+HEAVY = ("torch", "ai2thor", "gradio", "fastapi", "xllamacpp", "transformers")
 CATCHING = {"run.py"}
 """Where everything may be caught: an episode that breaks is recorded as an error."""
 

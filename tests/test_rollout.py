@@ -13,12 +13,6 @@ from reibench.run import RunSpec, evaluate
 from reibench.skill import parse_skill
 from reibench.worlds import worlds
 
-SOLUTION = (
-    "find a potato", "pick up the potato", "find a microwave", "open the microwave",
-    "put down the potato", "close the microwave", "turn on the microwave",
-    "turn off the microwave", "open the microwave", "pick up the potato", "find a dining table",
-    "put down the potato",
-)  # fmt: skip
 TOLD = Instruction(text="Heat the potato.", original="Heat that thing.")
 
 
@@ -26,13 +20,13 @@ def answers(*skills):
     return [*(f" {text}" for text in skills), " done"]
 
 
-def test_a_person_and_a_planner_leave_the_same_record(episode, click, script):
-    by_hand = click(episode, *SOLUTION)
+def test_a_person_and_a_planner_leave_the_same_record(episode, click, script, solution):
+    by_hand = click(episode, *solution)
     by_hand.finish()
 
     by_model = Rollout(episode, worlds.create("embedded"))
     by_model.start()
-    list(drive(by_model, SayCan(script(*answers(*SOLUTION))), TOLD))
+    list(drive(by_model, SayCan(script(*answers(*solution))), TOLD))
 
     human, model = by_hand.record("a", "person"), by_model.record("b", "saycan")
     assert human.status == model.status == "success"
@@ -50,15 +44,15 @@ def test_running_out_of_steps_is_truncation_and_costs_no_further_call(episode, s
     assert len(backend.prompts) == 1
 
 
-def test_reaching_the_goal_counts_even_if_the_budget_ends_there(episode, click):
-    rollout = click(episode, *SOLUTION, max_steps=len(SOLUTION))
+def test_reaching_the_goal_counts_even_if_the_budget_ends_there(episode, click, solution):
+    rollout = click(episode, *solution, max_steps=len(solution))
     assert rollout.exhausted
     assert rollout.status == "success"
 
 
-def test_an_episode_that_breaks_still_counts(episode, script, store):
+def test_an_episode_that_breaks_still_counts(episode, script, store, solution):
     second = replace(episode, task=replace(episode.task, id="second"))
-    backend = script(" find an apple", " fly to the moon", *answers(*SOLUTION))
+    backend = script(" find an apple", " fly to the moon", *answers(*solution))
     spec = RunSpec(model="scripted:x")
     broken, solved = evaluate(spec, [episode, second], backend, worlds.create("embedded"), store)
     assert (broken.status, len(broken.steps)) == ("error", 1)

@@ -44,15 +44,17 @@ def test_levels_are_counted_apart(scored):
     assert list(levels["episodes"]) == [1] * 18
 
 
-def test_picking_the_object_but_missing_the_goal_is_an_execution_error(store, episode, script):
-    backend = script(" find a potato", " pick up the potato", " done")
+def test_picking_the_object_but_missing_the_goal_is_an_execution_error(store, episodes, script):
+    episode = episodes["cool_apple.mixed-short"]
+    backend = script(" find an apple", " pick up the apple", " done")
     list(evaluate(DONE, [episode], backend, worlds.create("embedded"), store))
     [row] = score_rows(store, None, "level")
     assert (row["execution_error"], row["object_omission"]) == (1, 0)
 
 
 def test_an_unlit_lamp_is_an_omitted_object(store, episodes, script):
-    backend = script(" find a credit card", " pick up the credit card", " done")
+    skills = (" find a credit card", " open the drawer", " pick up the credit card", " done")
+    backend = script(*skills)
     episode = episodes["light_card.mixed-short"]
     list(evaluate(DONE, [episode], backend, worlds.create("embedded"), store))
     [row] = score_rows(store, None, "level")

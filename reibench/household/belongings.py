@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Mapping
 
-from reibench.household.geometry import footprint
+from reibench.household.geometry import footprint, forward
 from reibench.household.layout import Draft
 from reibench.household.objects import ROOM_KINDS, ObjectType, object_type, object_types
 from reibench.household.placement import free_spot
@@ -13,12 +13,16 @@ NATURAL = {
     "BaseballBat": Vector(0.12, 0.85, 0.12),
     "Box": Vector(0.42, 0.26, 0.34),
     "ButterKnife": Vector(0.02, 0.01, 0.22),
+    "CD": Vector(0.12, 0.002, 0.12),
+    "CreditCard": Vector(0.086, 0.002, 0.054),
     "CellPhone": Vector(0.08, 0.01, 0.15),
     "HandTowel": Vector(0.17, 0.35, 0.05),
     "Knife": Vector(0.04, 0.02, 0.3),
     "Ladle": Vector(0.09, 0.06, 0.28),
     "Laptop": Vector(0.34, 0.24, 0.26),
-    "Pan": Vector(0.28, 0.05, 0.4),
+    "Pan": Vector(0.26, 0.05, 0.38),
+    "Pen": Vector(0.02, 0.01, 0.15),
+    "Pot": Vector(0.28, 0.16, 0.26),
     "RemoteControl": Vector(0.06, 0.02, 0.18),
     "Spatula": Vector(0.08, 0.02, 0.3),
     "TennisRacket": Vector(0.28, 0.62, 0.1),
@@ -91,6 +95,9 @@ def _put_in(draft: Draft, kind: ObjectType, extent: Vector, receptacle: SceneObj
         draft.random.uniform(area.left, area.right),
         draft.random.uniform(area.near, area.far),
     )
+    if kind.name == "Pillow":
+        ahead_x, ahead_z = forward(receptacle.yaw)
+        near = (near[0] - ahead_x, near[1] - ahead_z)
     probe = _probe(kind, extent)
     if receptacle.type == "Floor":
         return _lay_on_floor(draft, kind, extent)
@@ -142,7 +149,7 @@ def _choose(draft: Draft, kind: ObjectType, receptacle_type: str) -> SceneObject
 
 
 def _liking(kind: ObjectType, receptacle: str) -> float:
-    return 0.0 if receptacle in UNLIKELY or not kind.may_go(receptacle) else 1.0
+    return 0.0 if receptacle in UNLIKELY or not kind.may_go(receptacle) else 0.5
 
 
 def _portable(kind: str) -> list[str]:

@@ -1,7 +1,8 @@
 """The walkable floor: where in a room the robot can stand."""
 
 from collections.abc import Iterable
-from math import ceil, floor
+from functools import partial
+from math import ceil, dist, floor
 
 from reibench.household.geometry import Footprint, bottom, footprint, top
 from reibench.scene import Box, SceneObject, Vector
@@ -78,8 +79,7 @@ def _covered(area: Footprint, grid: float) -> Iterable[tuple[int, int]]:
 def _connected(free: set[tuple[int, int]], start: tuple[int, int] | None) -> set[tuple[int, int]]:
     """Return the connected part of `free` around `start`, or the largest one."""
     if start is not None and free:
-        start = min(free, key=lambda cell: (cell[0] - start[0]) ** 2 + (cell[1] - start[1]) ** 2)
-        return _flood(free, start)
+        return _flood(free, min(free, key=partial(dist, start)))
     best: set[tuple[int, int]] = set()
     left = set(free)
     while left:

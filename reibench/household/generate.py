@@ -25,7 +25,7 @@ EXTENTS = {
     "kitchen": ((3.9, 4.7), (3.6, 4.3)),
     "living room": ((4.6, 5.6), (4.2, 5.0)),
     "bedroom": ((3.7, 4.4), (3.6, 4.2)),
-    "bathroom": ((3.5, 4.0), (3.0, 3.6)),
+    "bathroom": ((3.2, 3.8), (2.9, 3.4)),
 }
 """Least and greatest width and depth in metres."""
 

@@ -21,6 +21,10 @@ HANGERS = frozenset(("HandTowelHolder", "TowelHolder", "ToiletPaperHanger"))
 LAYERED = frozenset(("Cabinet", "Fridge", "LaundryHamper"))
 BUILT_ON = frozenset(("CounterTop", "Floor", "Desk", "DiningTable", "CoffeeTable", "SideTable"))
 """Receptacles that fixed things stand on or are let into without being listed as contents."""
+SLACK = 0.01
+"""Metres two things may overlap sideways: boxes are larger than what is in them."""
+FLAT = 0.02
+"""Metres of height that even the flattest thing takes up."""
 THIN = 0.04
 """Metres; longer things this thin stand upright in mugs and cups."""
 
@@ -147,9 +151,10 @@ def _occupied(
 def _overlap(one: Box, other: Box) -> bool:
     (x, y, z), (width, height, depth) = one
     (a, b, c), (w, h, d) = other
-    slack = 0.01
     return (
-        abs(x - a) * 2 + slack < width + w
-        and abs(z - c) * 2 + slack < depth + d
-        and abs(y - b) * 2 + slack < height + h
+        abs(x - a) * 2 + SLACK < width + w
+        and abs(z - c) * 2 + SLACK < depth + d
+        # Cards and papers have no height to speak of, and yet nothing goes on top of them.
+        and y - height / 2 < max(b + h / 2, b - h / 2 + FLAT)
+        and b - h / 2 < max(y + height / 2, y - height / 2 + FLAT)
     )

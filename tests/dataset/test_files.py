@@ -60,7 +60,9 @@ def test_a_broken_line_is_named(tmp_path, episode, line, said):
 
 def test_an_unknown_level_or_task_type_is_refused(episode):
     value = episode_to_json(episode)
-    with pytest.raises(InvalidEpisode, match=r"No level called 'mixd-noised'\. Did you mean 'mixed"):
+    with pytest.raises(
+        InvalidEpisode, match=r"No level called 'mixd-noised'\. Did you mean 'mixed"
+    ):
         episode_from_json(value | {"level": "mixd-noised"})
     with pytest.raises(InvalidEpisode, match="'juggle' is not a valid TaskType"):
         episode_from_json(value | {"goal": value["goal"] | {"type": "juggle"}})

@@ -28,13 +28,14 @@ def last(rollout):
 
 
 def test_strict_says_what_is_held_instead(episode, click):
-    event = last(click(episode, "find an egg", "pick up the egg", "put down the potato"))
-    assert event.message == "the robot is holding the egg, not the potato"
+    event = last(click(episode, "find a tomato", "pick up the tomato", "put down the potato"))
+    assert event.message == "the robot is holding the tomato, not the potato"
 
 
-def test_strict_puts_things_where_the_robot_last_went(episode, click):
+def test_strict_puts_things_where_the_robot_last_went(episodes, click):
     rollout = click(
-        episode, "find a potato", "pick up the potato", "find a dining table", "put down the potato"
+        episodes["cool_apple.mixed-short"],
+        *("find an apple", "pick up the apple", "find a counter top", "put down the apple"),
     )
     assert last(rollout).success
     assert [goal.name for goal in last(rollout).goals if goal.holds] == ["placed"]
@@ -42,16 +43,16 @@ def test_strict_puts_things_where_the_robot_last_went(episode, click):
 
 def test_strict_refuses_to_put_things_into_something_closed(episode, click):
     rollout = click(
-        episode, "find a potato", "pick up the potato", "find a microwave", "put down the potato"
+        episode, "find a tomato", "pick up the tomato", "find a microwave", "put down the tomato"
     )
     assert last(rollout).message == "the microwave is closed"
     assert last(rollout).scene.held is not None
 
 
 def test_a_refused_skill_changes_nothing_under_strict_rules(episode, click):
-    rollout = click(episode, "find a potato", "pick up the potato")
+    rollout = click(episode, "find a tomato", "pick up the tomato")
     before = rollout.last_event.scene
-    for text in ("pick up the egg", "open the safe", "turn on the desk lamp", "slice the bread"):
+    for text in ("pick up the apple", "open the safe", "turn on the desk lamp", "slice the bread"):
         rollout.step(Decision(parse_skill(text)))
         assert not last(rollout).success, text
         assert last(rollout).scene == before, text
@@ -61,11 +62,12 @@ def test_a_refused_skill_changes_nothing_under_strict_rules(episode, click):
     ("skills", "message"),
     [
         (["find a safe"], "there is no safe in this room"),
-        (["put down the egg"], "the robot is not holding anything"),
-        (["find an egg", "pick up the egg", "pick up the apple"],
-         "the robot is already holding the egg"),
-        (["find an egg", "pick up the egg", "find an egg"], "the egg is in the robot's hand"),
-        (["find an egg", "pick up the egg", "put down the egg"],
+        (["put down the tomato"], "the robot is not holding anything"),
+        (["find a tomato", "pick up the tomato", "pick up the apple"],
+         "the robot is already holding the tomato"),
+        (["find a tomato", "pick up the tomato", "find a tomato"],
+         "the tomato is in the robot's hand"),
+        (["find a tomato", "pick up the tomato", "put down the tomato"],
          "the robot has not gone to a place to put it; find one first"),
         (["find a fridge", "close the fridge"], "the fridge is already closed"),
         (["find a microwave", "open the microwave", "turn on the microwave"],
@@ -83,31 +85,48 @@ def test_strict_feedback_says_what_is_wrong(episode, click, skills, message):
 
 
 def test_finding_again_goes_to_the_next_one(episode, click):
-    rollout = click(episode, "find a drawer", "find a drawer")
-    first, second = (step.event.scene.agent for step in rollout.steps)
-    assert first != second
+    rollout = click(
+        episode, "find a drawer", "open the drawer", "close the drawer",
+        "find a drawer", "find a drawer", "open the drawer",
+    )  # fmt: skip
+    opened = [
+        {drawer.id for drawer in rollout.steps[place].event.scene.of_type("Drawer") if drawer.open}
+        for place in (1, 5)
+    ]
+    assert [len(each) for each in opened] == [1, 1]
+    assert opened[0] != opened[1]
+
+
+def test_what_is_in_something_closed_must_be_uncovered_first(episode, click):
+    rollout = click(episode, "find a potato", "pick up the potato")
+    assert last(rollout).message == "the potato is in the fridge, which is closed"
+    for text in ("open the fridge", "pick up the potato"):
+        rollout.step(Decision(parse_skill(text)))
+        assert last(rollout).success
 
 
 def test_official_put_down_ignores_the_noun(official):
     rollout = official(
-        "find an egg", "pick up the egg", "find a dining table", "put down the potato"
+        "find a tomato", "pick up the tomato", "find a dining table", "put down the potato"
     )
     assert last(rollout).success
     assert last(rollout).scene.held is None
 
 
 def test_official_put_down_into_something_closed_ends_on_the_floor(official):
-    rollout = official("find an egg", "pick up the egg", "find a microwave", "put down the egg")
+    rollout = official(
+        "find a tomato", "pick up the tomato", "find a microwave", "put down the tomato"
+    )
     assert last(rollout).message == "put down failed"
-    [egg] = last(rollout).scene.of_type("Egg")
+    [tomato] = last(rollout).scene.of_type("Tomato")
     assert last(rollout).scene.held is None
-    assert any(parent.startswith("Floor") for parent in egg.parents)
+    assert any(parent.startswith("Floor") for parent in tomato.parents)
 
 
 def test_official_forgets_the_place_after_any_other_skill(official):
     rollout = official(
-        "find a microwave", "open the microwave", "find an egg", "pick up the egg",
-        "put down the egg",
+        "find a microwave", "open the microwave", "find a tomato", "pick up the tomato",
+        "put down the tomato",
     )  # fmt: skip
     assert last(rollout).message == "put down failed"
 
@@ -116,9 +135,9 @@ def test_official_forgets_the_place_after_any_other_skill(official):
     ("skills", "message"),
     [
         (["find a safe"], "Cannot find Safe"),
-        (["put down the egg"], "Robot is not holding any object"),
-        (["find an egg", "pick up the egg", "pick up the apple"],
-         "Robot is currently holding Egg"),
+        (["put down the tomato"], "Robot is not holding any object"),
+        (["find a tomato", "pick up the tomato", "pick up the apple"],
+         "Robot is currently holding Tomato"),
         (["open the safe"], "Cannot find Safe to open"),
         (["find a fridge", "open the fridge", "open the fridge"], "Open action failed"),
     ],

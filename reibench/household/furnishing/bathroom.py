@@ -33,7 +33,8 @@ def furnish_bathroom(draft: Draft) -> None:
         ("HandTowelHolder", Vector(0.2, 0.2, 0.06), 1.5),
     ):
         if draft.wants(kind):
-            hung = hang(draft, kind, extent, low)
+            towel = Vector(extent.x + 0.1, 0.7, 0.15)
+            hung = hang(draft, kind, extent, low, space=towel)
             if hung is None:
                 raise Cramped(kind)
     if draft.wants("SideTable"):
@@ -127,8 +128,13 @@ def _toilet(draft: Draft) -> None:
 
 
 def _shelves(draft: Draft) -> None:
+    """Hang shelves anywhere but over the tub."""
+    tubs = [thing for thing in draft.things.values() if thing.type == "Bathtub"]
     for wall in draft.walls:
         for step in range(-10, 11):
             along = step * wall.length / 22
+            below = footprint(wall.box(along, Vector(0.9, 1, 0.25)))
+            if any(below.meets(footprint(tub.box)) for tub in tubs):
+                continue
             if hang_shelves(draft, wall, along, 2, low=1.2):
                 return

@@ -56,17 +56,22 @@ def place(
 
 
 def hang(
-    draft: Draft, kind: str, extent: Vector, low: float, walls: tuple[Wall, ...] | None = None
+    draft: Draft, kind: str, extent: Vector, low: float, *, space: Vector | None = None
 ) -> tuple[Wall, float] | None:
-    """Hang something on a free piece of wall; None where there is none."""
+    """Hang something on a free piece of wall; None where there is none.
+
+    `space` is how much has to be free, from as high as the thing's upper side down, if that is
+    more than the thing itself.
+    """
     places = []
-    for wall in walls if walls is not None else draft.walls:
+    for wall in draft.walls:
         steps = int((wall.length - extent.x) / 0.2)
         for step in range(steps + 1):
             along = -(wall.length - extent.x) / 2 + step * 0.2
             places.append((abs(along) + draft.random.random(), wall, along))
+    needed = space or extent
     for _, wall, along in sorted(places, key=lambda place: place[0]):
-        if draft.free_wall(wall, along, extent, low):
+        if draft.free_wall(wall, along, needed, low + extent.y - needed.y):
             draft.add(kind, wall.box(along, extent, low=low), wall.yaw)
             return wall, along
     return None
@@ -74,8 +79,11 @@ def hang(
 
 def add_windows(draft: Draft, count: int, cover: str = "") -> None:
     """Put windows into free walls, some with curtains or blinds before them."""
+    window = Vector(1.2, 1.3, 0.06)
+    curtains = Vector(1.5, 2.1, 0.12)
     for _ in range(count):
-        found = hang(draft, "Window", Vector(1.2, 1.3, 0.06), 1.0)
+        wide = Vector(1.5, 2.1, 0.25) if cover == "Curtains" else Vector(1.3, 1.3, 0.3)
+        found = hang(draft, "Window", window, 1.0, space=wide)
         if found is None:
             return
         wall, along = found
@@ -83,8 +91,7 @@ def add_windows(draft: Draft, count: int, cover: str = "") -> None:
             extent = Vector(1.2, 0.2, 0.04)
             draft.add("Blinds", wall.box(along, extent, low=2.1, gap=0.06), wall.yaw)
         elif cover == "Curtains":
-            extent = Vector(1.5, 2.2, 0.12)
-            draft.add("Curtains", wall.box(along, extent, low=0.2, gap=0.06), wall.yaw)
+            draft.add("Curtains", wall.box(along, curtains, low=0.2, gap=0.06), wall.yaw)
 
 
 def add_pictures(draft: Draft, kind: str, count: int) -> None:
