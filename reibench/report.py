@@ -25,6 +25,8 @@ def score_rows(store: Store, runs: set[str] | None, by: str) -> list[dict[str, A
     if runs is not None:
         frame = frame[frame["run"].isin(runs)]
     groups = summarise(frame, ["run", by])
+    # Episodes that nobody can be sure about bound what any actor can reach (reading of B.3).
+    determined = summarise(frame[frame["underdetermined"] == 0], ["run"])
     rows: list[dict[str, Any]] = []
     for row in _plain(summarise(frame, ["run"])):
         run = row.pop("run")
@@ -58,6 +60,10 @@ def score_report(rows: list[dict[str, Any]], by: str) -> str:
             + (f", {row['mean_steps']:.1f} steps on average" if row["episodes"] else ""),
         ]
         lines += [f"  {TITLES[name]:<18}{_rate(row, name)}" for name in COUNTED]
+        apart = row["determined_only"]
+        if apart and apart["episodes"] != row["episodes"]:
+            left = row["episodes"] - apart["episodes"]
+            lines.append(f"  without {left} underdetermined: success {_rate(apart, 'success')}")
         for group in row[f"by_{by}"]:
             lines.append(f"    {group[by]:<20} success {_rate(group, 'success')}")
         if versus := row.get("against_first"):

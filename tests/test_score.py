@@ -61,6 +61,12 @@ def test_an_unlit_lamp_is_an_omitted_object(store, episodes, script):
     assert (row["execution_error"], row["object_omission"]) == (0, 1)
 
 
+def test_underdetermined_episodes_are_shown_apart(scored):
+    expert = score_rows(scored, None, "level")[0]
+    assert (expert["episodes"], expert["determined_only"]["episodes"]) == (9, 8)
+    assert "without 1 underdetermined: success   8 of 8" in score_report([expert], "level")
+
+
 def test_nothing_run_yet_is_said(store):
     assert score_report(score_rows(store, None, "level"), "level") == "No episode has been run yet."
 

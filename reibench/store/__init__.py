@@ -96,6 +96,7 @@ class Store(DatabaseFile):
                 "task": task.id,
                 "task_type": str(task.goal.task_type),
                 "level": str(episode.vagueness),
+                "underdetermined": episode.underdetermined,
                 "room": task.setup.room,
                 "rules": spec.rules,
                 "max_steps": spec.max_steps,

@@ -41,7 +41,7 @@ def runs_records_and_steps(database: Database) -> None:
         "create table records (id text primary key, run text references runs(id),"
         " origin text not null, visitor text, actor text not null, episode text not null,"
         " episode_digest text not null references episodes(digest), task text, task_type text,"
-        " level text, room text, rules text not null, max_steps integer not null,"
+        " level text, underdetermined integer not null, room text, rules text not null, max_steps integer not null,"
         " status text, error_kind text, said_done integer not null default 0,"
         " error text not null default '', steps integer not null default 0,"
         " start_scene text references scenes(digest), start_goals text, instruction text,"
