@@ -33,7 +33,17 @@ def score_rows(store: Store, runs: set[str] | None, by: str) -> list[dict[str, A
         first = frame[frame["run"] == run].iloc[0]
         spec = json.loads(first["spec"])
         mine = _plain(groups[groups["run"] == run].drop(columns="run"))
-        rows.append({"run": run, "actor": first["actor"], **row, "spec": spec, f"by_{by}": mine})
+        apart = _plain(determined[determined["run"] == run].drop(columns="run"))
+        rows.append(
+            {
+                "run": run,
+                "actor": first["actor"],
+                **row,
+                "determined_only": apart[0] if apart else None,
+                "spec": spec,
+                f"by_{by}": mine,
+            }
+        )
     for row in rows[1:]:
         row["against_first"] = paired(frame, rows[0]["run"], row["run"])
     return rows

@@ -61,7 +61,7 @@ class Selection:
     text: str
     usage: Usage = Usage()
     alternatives: tuple[Alternative, ...] = ()
-    """The likeliest options with their probabilities, likeliest first, the chosen one among them."""
+    """The likeliest options with their probabilities, likeliest first, and the chosen one."""
 
 
 class Backend(Protocol):
