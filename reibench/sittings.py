@@ -74,6 +74,19 @@ class Sittings:
         entries = [entry for entry in self._entries(visitor) if entry.actor == PERSON]
         return self._show(entries[-1].id, visitor) if entries else None
 
+    def find(self, sitting_id: str, visitor: str) -> Sitting:
+        """Return a sitting of this visitor's; raises UnknownName for another's."""
+        return self._show(sitting_id, visitor)
+
+    def watched(self, visitor: str, episode_id: str) -> dict[str, Sitting]:
+        """Return this visitor's latest finished watch of an episode by each planner, by label."""
+        latest = {
+            entry.actor: entry.id
+            for entry in self._entries(visitor)
+            if entry.episode == episode_id and entry.actor != PERSON and entry.status is not None
+        }
+        return {actor: self._show(record_id, visitor) for actor, record_id in latest.items()}
+
     def step(
         self,
         sitting_id: str,

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping
 from reibench.household.geometry import footprint, forward
 from reibench.household.layout import Draft
 from reibench.household.objects import ROOM_KINDS, ObjectType, object_type, object_types
-from reibench.household.placement import free_spot
+from reibench.household.placement import free_spot, nearest_to
 from reibench.scene import Box, SceneObject, Vector
 
 NATURAL = {
@@ -62,12 +62,10 @@ def put(draft: Draft, name: str, receptacle_type: str = "") -> bool:
     extent = NATURAL.get(name, kind.size)
     if draft.random.random() < 0.5:
         extent = Vector(extent.z, extent.y, extent.x)
-    for _ in range(20):
-        receptacle = _choose(draft, kind, receptacle_type)
-        if receptacle is None:
-            return False
+    while (receptacle := _choose(draft, kind, receptacle_type)) is not None:
         if _put_in(draft, kind, extent, receptacle):
             return True
+        draft.full.add((name, receptacle.id))
     return False
 
 
@@ -97,11 +95,11 @@ def _put_in(draft: Draft, kind: ObjectType, extent: Vector, receptacle: SceneObj
     )
     if kind.name == "Pillow":
         ahead_x, ahead_z = forward(receptacle.yaw)
-        near = (near[0] - ahead_x, near[1] - ahead_z)
+        near = (near[0] - 2 * ahead_x, near[1] - 2 * ahead_z)
     probe = _probe(kind, extent)
     if receptacle.type == "Floor":
         return _lay_on_floor(draft, kind, extent)
-    spot = free_spot(draft.things, probe, receptacle, near)
+    spot = free_spot(draft.things, probe, receptacle, nearest_to(*near))
     if spot is None:
         return False
     draft.add(kind.name, Box(*spot), parent=receptacle.id)
@@ -129,12 +127,13 @@ def _choose(draft: Draft, kind: ObjectType, receptacle_type: str) -> SceneObject
     for whole in ("Sink", "Bathtub"):
         if whole in found:
             found[f"{whole}Basin"] = found.get(f"{whole}Basin", 0) + found.pop(whole)
-    if not kind.may_go("Floor") and kind.thor_receptacles:
+    if kind.thor_receptacles:
         # Real rooms have keys and pillows on the floor where they fell off something.
-        found.pop("Floor", None)
+        found = {name: count for name, count in found.items() if kind.may_go(name)}
     present: dict[str, list[SceneObject]] = {}
     for thing in draft.things.values():
-        if thing.receptacle and (not receptacle_type or thing.type == receptacle_type):
+        fits = thing.receptacle and (kind.name, thing.id) not in draft.full
+        if fits and (not receptacle_type or thing.type == receptacle_type):
             present.setdefault(thing.type, []).append(thing)
     weights = {
         name: float(found.get(name, 0)) + _liking(kind, name)

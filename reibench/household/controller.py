@@ -27,6 +27,8 @@ class Event:
     """AI2-THOR's `errorCode`; empty if it worked, and for failures AI2-THOR has no code for."""
     action_return: Any
     moment: Moment = field(repr=False)
+    time: int
+    """How many actions had been carried out since the room was set up."""
     screen: tuple[int, int] = (300, 300)
 
     @cached_property
@@ -39,6 +41,7 @@ class Event:
             "lastActionSuccess": self.success,
             "errorMessage": self.message,
             "errorCode": self.code,
+            "currentTime": float(self.time),
             "actionReturn": self.action_return,
         }
 
@@ -149,6 +152,13 @@ class Controller:
         self, action: str, message: str = "", code: str = "", answer: object = None
     ) -> Event:
         self.last_event = Event(
-            action, not message, message, code, answer, self._state.moment(), self._screen
+            action,
+            not message,
+            message,
+            code,
+            answer,
+            self._state.moment(),
+            self._state.time,
+            self._screen,
         )
         return self.last_event

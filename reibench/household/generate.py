@@ -11,11 +11,13 @@ from reibench.household.belongings import add_belongings, put, spare_portables
 from reibench.household.floor import STANDING, WalkableFloor
 from reibench.household.furnishing import FURNISHERS
 from reibench.household.furnishing.common import Cramped
+from reibench.household.furnishing.shelves import add_shelving
 from reibench.household.geometry import footprint
 from reibench.household.layout import CEILING, Draft
 from reibench.household.objects import ROOM_KINDS, object_type
 from reibench.household.plans import PLANS, Plan
 from reibench.household.rooms import ROOMS, Room, save_room, with_contents
+from reibench.household.state import hidden
 from reibench.scene import Box, Pose, SceneObject, Vector
 
 ATTEMPTS = 300
@@ -63,6 +65,7 @@ def generate_room(
         draft = _start(kind, Random(f"{kind} {seed} {attempt}"), require, objects, allow)
         try:
             FURNISHERS[kind](draft)
+            _add_storage(draft)
         except Cramped:
             continue
         add_belongings(draft, where or {})
@@ -98,6 +101,8 @@ def shortcomings(room: Room, require: Collection[str] = ()) -> list[str]:
     wrong = [f"no {name}" for name in sorted(set(require) - present)]
     if len(room.reachable) < 12:
         wrong.append("hardly any floor to walk on")
+    if not any(inner.parents and hidden(room.by_id, inner) for inner in room.objects):
+        wrong.append("nothing is put away")
     for thing in room.objects:
         used = thing.receptacle or thing.openable or thing.toggleable or thing.pickupable
         if used and not approachable(room, thing):
@@ -133,6 +138,12 @@ def _start(
     )
 
 
+def _add_storage(draft: Draft) -> None:
+    """Put in more shelves where a room has to hold more than usual."""
+    for _ in range(int((draft.plenty - 1.0) * 4)):
+        add_shelving(draft, 4)
+
+
 def _fit_number(draft: Draft, objects: int) -> None:
     """Take out or put in small and spare things until there are about that many objects."""
     order = list(draft.things.values())
@@ -144,10 +155,12 @@ def _fit_number(draft: Draft, objects: int) -> None:
         if not needed and not draft.things[thing.id].contents:
             draft.remove(thing.id)
     names = [name for name in spare_portables(draft.kind) if _may_appear(draft, name)]
-    for _ in range(5 * objects if names else 0):
-        if len(draft.things) >= objects:
+    for _ in range(5 * objects):
+        if len(draft.things) >= objects or not names:
             break
-        put(draft, draft.random.choice(names))
+        name = draft.random.choice(names)
+        if not put(draft, name):
+            names.remove(name)
 
 
 def _may_appear(draft: Draft, name: str) -> bool:

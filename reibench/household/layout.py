@@ -60,6 +60,9 @@ class Draft:
     passages: list[Footprint] = field(default_factory=list)
     """Floor that has to stay free."""
 
+    full: set[tuple[str, str]] = field(default_factory=set)
+    """Object types, with ids of receptacles that were found to have no room for them."""
+
     def __post_init__(self) -> None:
         # What one walks on is its upper side, at height 0, and that is where it is said to be.
         size = Vector(self.width, 0.0, self.depth)

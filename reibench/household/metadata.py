@@ -49,7 +49,6 @@ def agent_metadata(moment: Moment, *, width: int = 300, height: int = 300) -> Me
         "actionIntReturn": 0,
         "actionFloatReturn": 0.0,
         "visibleRange": None,
-        "currentTime": float(moment.time),
         "sceneBounds": _box(scene.bounds),
     }
 

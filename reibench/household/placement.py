@@ -1,15 +1,15 @@
 """Where things find room: free spots in and on receptacles."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import NamedTuple
 
 from reibench.household.geometry import Footprint, bottom, footprint, top
 from reibench.household.objects import SINGLE, SURFACES, object_type
 from reibench.scene import Box, SceneObject, Vector
 
-STEP = 0.1
-"""Metres between the spots tried, at least; large surfaces are tried more coarsely."""
-MOST = 12
+STEP, FINEST = 0.1, 0.02
+"""Metres between the spots tried: as wide as a thing is, within these; more on large surfaces."""
+MOST = 20
 """Spots tried along a side."""
 EDGE = 0.03
 """Metres things keep from the edge where they can."""
@@ -21,12 +21,18 @@ HANGERS = frozenset(("HandTowelHolder", "TowelHolder", "ToiletPaperHanger"))
 LAYERED = frozenset(("Cabinet", "Fridge", "LaundryHamper"))
 BUILT_ON = frozenset(("CounterTop", "Floor", "Desk", "DiningTable", "CoffeeTable", "SideTable"))
 """Receptacles that fixed things stand on or are let into without being listed as contents."""
+MOVED_ASIDE = frozenset(("Chair", "Stool", "Floor"))
+"""What reaches over a table's edge without being in the way there."""
 SLACK = 0.01
 """Metres two things may overlap sideways: boxes are larger than what is in them."""
 FLAT = 0.02
 """Metres of height that even the flattest thing takes up."""
 THIN = 0.04
 """Metres; longer things this thin stand upright in mugs and cups."""
+
+
+Rank = Callable[[float, float], float]
+"""Says how good a place (x, z) is; lower is better."""
 
 
 class Spot(NamedTuple):
@@ -40,10 +46,10 @@ def free_spot(
     objects: Mapping[str, SceneObject],
     thing: SceneObject,
     receptacle: SceneObject,
-    near: tuple[float, float],
+    rank: Rank,
     area: Footprint | None = None,
 ) -> Spot | None:
-    """Return the free spot for `thing` in or on `receptacle` that is nearest to a point (x, z).
+    """Return the free spot for `thing` in or on `receptacle` whose middle ranks lowest.
 
     The size of `thing` is how it naturally lies; `area` narrows the search to a part of the
     receptacle. None means there is no room left.
@@ -56,7 +62,7 @@ def free_spot(
     for size in _postures(thing, receptacle):
         occupied = list(_occupied(objects, thing, receptacle, size.y))
         for level in _levels(receptacle, size.y):
-            for x, z in _grid(area, size, near):
+            for x, z in _grid(area, size, rank):
                 box = Box(Vector(x, level + size.y / 2, z), size)
                 if not any(_overlap(box, other) for other in occupied):
                     return Spot(box.center, size)
@@ -108,22 +114,27 @@ def _levels(receptacle: SceneObject, height: float) -> list[float]:
     return [low + level * LAYER for level in range(count)]
 
 
-def _grid(area: Footprint, size: Vector, near: tuple[float, float]) -> list[tuple[float, float]]:
-    """Return the middles to try, nearest first."""
-    a, b = near
+def nearest_to(a: float, b: float) -> Rank:
+    """Rank spots by how near they are to the point (a, b) on the floor plan."""
+    return lambda x, z: (x - a) ** 2 + (z - b) ** 2
+
+
+def _grid(area: Footprint, size: Vector, rank: Rank) -> list[tuple[float, float]]:
+    """Return the middles to try, best first."""
     columns = _along(area.left, area.right, size.x)
     rows = _along(area.near, area.far, size.z)
-    spots = [((x - a) ** 2 + (z - b) ** 2, x, z) for x in columns for z in rows]
+    spots = [(rank(x, z), x, z) for x in columns for z in rows]
     return [(x, z) for _, x, z in sorted(spots)]
 
 
 def _along(low: float, high: float, extent: float) -> list[float]:
     inset = min(extent + 2 * EDGE, high - low) / 2
     span = high - low - 2 * inset
-    count = min(MOST, int(span / STEP) + 1)
+    step = min(STEP, max(extent, FINEST))
+    count = min(MOST, int(span / step) + 1)
     if count <= 1:
         return [(low + high) / 2]
-    return [low + inset + span * step / (count - 1) for step in range(count)]
+    return [low + inset + span * number / (count - 1) for number in range(count)]
 
 
 def _occupied(
@@ -138,13 +149,13 @@ def _occupied(
             yield objects[name].box
     if receptacle.type not in BUILT_ON:
         return
-    low, area = surface(receptacle), footprint(receptacle.box)
+    (x, _, z), (width, _, depth) = receptacle.box
+    above = Box(Vector(x, surface(receptacle) + height / 2, z), Vector(width, height, depth))
     own = (receptacle.id, thing.id, *receptacle.parents)
     for other in objects.values():
-        if other.pickupable or other.id in own or other.type in ("Chair", "Stool", "Floor"):
+        if other.pickupable or other.type in MOVED_ASIDE or other.id in own:
             continue
-        low_enough = bottom(other.box) < low + height
-        if low_enough and top(other.box) > low + 0.01 and area.meets(footprint(other.box)):
+        if _overlap(above, other.box):
             yield other.box
 
 

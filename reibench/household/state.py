@@ -1,8 +1,9 @@
 """The room as it is now: what contains what, where the robot is, and what it sees."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields
 from functools import cached_property
+from operator import attrgetter
 from typing import Any
 
 from reibench.household.floor import GRID, WalkableFloor
@@ -12,6 +13,9 @@ from reibench.household.rooms import Room
 from reibench.scene import CONTAINERS, Box, Pose, Scene, SceneObject, Vector
 
 Objects = dict[str, SceneObject]
+_NAMES = tuple(field.name for field in fields(SceneObject))
+_PLACES = {name: place for place, name in enumerate(_NAMES)}
+_values = attrgetter(*_NAMES)
 HAND_HEIGHT = 1.1
 HAND_DISTANCE = 0.45
 """Where a held thing floats: in front of the camera, in metres."""
@@ -41,8 +45,6 @@ class Moment:
     agent: Pose
     sight: Sight
     field_of_view: float
-    time: int
-    """How many actions have been carried out since the room was set up."""
 
     @cached_property
     def scene(self) -> Scene:
@@ -93,7 +95,7 @@ class State:
         self.sight = Sight.of(pose.position, pose.yaw, reach, field_of_view)
         self._moment = None
         if self.held:
-            self._carry()
+            self.move(self.held, self._hand())
 
     @cached_property
     def floor(self) -> WalkableFloor:
@@ -111,7 +113,7 @@ class State:
 
     def moment(self) -> Moment:
         """Return the room at this moment."""
-        if self._moment is None or self._moment.time != self.time:
+        if self._moment is None:
             self._moment = Moment(
                 self.room,
                 self.objects,
@@ -120,16 +122,12 @@ class State:
                 self._agent,
                 self.sight,
                 self.settings.field_of_view,
-                self.time,
             )
         return self._moment
 
     def sees(self, name: str) -> bool:
         """Whether the robot sees that object."""
-        thing = self.objects.get(name)
-        if thing is None or not self.sight.takes_in(self.footprints[name]):
-            return False
-        return not hidden(self.objects, thing)
+        return self.moment().sees(name)
 
     def of_type(self, object_type: str) -> list[SceneObject]:
         """Return the objects of exactly this type."""
@@ -146,54 +144,54 @@ class State:
 
     def change(self, name: str, **fields: Any) -> SceneObject:
         """Give an object other values for some fields."""
-        changed = replace(self.objects[name], **fields)
+        changed = altered(self.objects[name], **fields)
         self.objects = self.objects | {name: changed}
         self._moment = None
         return changed
 
-    def move(self, name: str, middle: Vector, size: Vector | None = None) -> None:
+    def set_open(self, name: str, openness: float) -> None:
+        """Open an object that far, from 0 to 1."""
+        kept = {each: much for each, much in self.openness.items() if each != name}
+        self.openness = kept if openness in (0, 1) else kept | {name: openness}
+        self.change(name, open=openness > 0)
+
+    def move(self, name: str, middle: Vector, size: Vector | None = None, **fields: Any) -> None:
         """Move an object's box to be around `middle`, and all that is in or on it along.
 
-        With a `size` its box becomes that large: it was turned over.
+        With a `size` its box becomes that large: it was turned over. Other `fields` change with it.
         """
         thing = self.objects[name]
         dx, dy, dz = (new - old for new, old in zip(middle, thing.box.center, strict=True))
-        moved = {}
-        for each in (thing, *self.inside(name)):
-            (x, y, z), box = each.position, shifted(each.box, dx, dy, dz)
-            if size and each is thing:
-                box = Box(middle, size)
-            moved[each.id] = replace(each, position=Vector(x + dx, y + dy, z + dz), box=box)
+        x, y, z = thing.position
+        box, position = Box(middle, size or thing.box.size), Vector(x + dx, y + dy, z + dz)
+        moved = {name: altered(thing, position=position, box=box, **fields)}
+        for each in self.inside(name):
+            x, y, z = each.position
+            box, position = shifted(each.box, dx, dy, dz), Vector(x + dx, y + dy, z + dz)
+            moved[each.id] = altered(each, position=position, box=box)
         self.objects = self.objects | moved
         areas = {each: footprint(thing.box) for each, thing in moved.items()}
         self.footprints = self.footprints | areas
         self._moment = None
 
-    def detach(self, name: str) -> None:
-        """Take an object out of, or off, whatever it is in or on."""
-        for parent in self.objects[name].parents:
-            contents = self.objects[parent].contents or ()
-            self.change(parent, contents=tuple(one for one in contents if one != name))
-        self.change(name, parents=())
-
-    def attach(self, name: str, receptacle: str) -> None:
-        """Put an object that is nowhere in or on `receptacle`, for the record."""
-        contents = self.objects[receptacle].contents or ()
-        self.change(receptacle, contents=(*contents, name))
-        self.change(name, parents=(receptacle,))
-
     def take(self, name: str) -> None:
-        """Put an object into the robot's hand."""
-        self.detach(name)
+        """Put an object into the robot's hand, from wherever it is."""
+        self._leave(name)
         self.held = name
-        self.change(name, held=True)
-        self._carry()
+        self.move(name, self._hand(), parents=(), held=True)
 
-    def release(self) -> str:
-        """Empty the robot's hand and return what was in it."""
-        name, self.held = self.held, ""
-        self.change(name, held=False)
-        return name
+    def put(
+        self, name: str, middle: Vector, size: Vector | None = None, *, receptacle: str = ""
+    ) -> None:
+        """Put an object down around `middle`, in or on `receptacle`, from wherever it is."""
+        self._leave(name)
+        if self.held == name:
+            self.held = ""
+        parents = (receptacle,) if receptacle else ()
+        if receptacle:
+            contents = self.objects[receptacle].contents or ()
+            self.change(receptacle, contents=(*contents, name))
+        self.move(name, middle, size, parents=parents, held=False)
 
     def add(self, thing: SceneObject) -> None:
         """Add a new object, in or on what its `parents` say."""
@@ -206,7 +204,7 @@ class State:
 
     def remove(self, name: str) -> None:
         """Remove an object."""
-        self.detach(name)
+        self._leave(name)
         self.objects = {each: thing for each, thing in self.objects.items() if each != name}
         areas = self.footprints.items()
         self.footprints = {each: area for each, area in areas if each != name}
@@ -214,11 +212,24 @@ class State:
         self.warmth.pop(name, None)
         self._moment = None
 
-    def _carry(self) -> None:
+    def _leave(self, name: str) -> None:
+        """Strike an object from the contents of whatever it is in or on."""
+        for parent in self.objects[name].parents:
+            contents = self.objects[parent].contents or ()
+            self.change(parent, contents=tuple(one for one in contents if one != name))
+
+    def _hand(self) -> Vector:
         (x, _, z), yaw = self._agent.position, self._agent.yaw
         ahead_x, ahead_z = forward(yaw)
-        middle = Vector(x + HAND_DISTANCE * ahead_x, HAND_HEIGHT, z + HAND_DISTANCE * ahead_z)
-        self.move(self.held, middle)
+        return Vector(x + HAND_DISTANCE * ahead_x, HAND_HEIGHT, z + HAND_DISTANCE * ahead_z)
+
+
+def altered(thing: SceneObject, **fields: Any) -> SceneObject:
+    """Return `thing` with other values for some fields, faster than `dataclasses.replace`."""
+    values = list(_values(thing))
+    for name, value in fields.items():
+        values[_PLACES[name]] = value
+    return SceneObject(*values)
 
 
 def hidden(objects: Objects, thing: SceneObject, seen: tuple[str, ...] = ()) -> bool:

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 from reibench.rollout import Record
 from reibench.skill import Skill
-from reibench.view.likely import likely
+from reibench.view.likely import last_found, likely
 from reibench.view.markup import element, text
 from reibench.view.outcome import goal_conditions, person_verdict, verdict, verdict_box
 from reibench.view.steps import announcement, budget, step_list
@@ -153,4 +153,5 @@ def _panel(sitting: Sitting, parts: Sequence[str], *, actor: str, skills: Sequen
         data_announce=said,
         data_likely=json.dumps([skill.text for skill in skills]),
         data_held=held.type if held else "",
+        data_near=last_found(sitting.steps),
     )

@@ -3,14 +3,17 @@
 from dataclasses import replace
 
 from reibench.household.actions import Refused, action, interactable
-from reibench.household.geometry import Footprint, forward
+from reibench.household.geometry import Footprint
 from reibench.household.objects import object_type
-from reibench.household.placement import Spot, free_spot
+from reibench.household.placement import Rank, Spot, free_spot, nearest_to
 from reibench.household.state import State
 from reibench.scene import CONTAINERS, Box, SceneObject, Vector
 
-DROP_REACH = 0.6
-"""How far from the robot's feet a dropped thing may land, in metres."""
+OUT_OF_VIEW = 1e6
+FEET = 0.3
+"""How far before the robot things are dropped, in metres."""
+AROUND = 0.5
+"""How far from there a dropped thing may land."""
 
 
 @action("PickupObject")
@@ -58,11 +61,10 @@ def put_object(
             "Target openable Receptacle is CLOSED, can't place if target is not open!",
             "ReceptacleNotOpen",
         )
-    here = state.agent.position
-    spot = free_spot(state.objects, _as_lying(state, thing), receptacle, (here.x, here.z))
+    spot = free_spot(state.objects, _as_lying(state, thing), receptacle, _before(state))
     if spot is None:
         raise Refused("No valid points to place object found", "ReceptacleFull")
-    settle_down(state, receptacle.id, spot)
+    state.put(thing.id, *spot, receptacle=receptacle.id)
 
 
 @action("DropHandObject")
@@ -71,30 +73,36 @@ def drop_hand_object(state: State, forceAction: bool = False, autoSimulation: bo
     if not state.held:
         raise Refused("Nothing is in the agent's hand to drop!", "ObjectNotInInventory")
     thing = state.objects[state.held]
-    (x, _, z), yaw = state.agent.position, state.agent.yaw
-    ahead_x, ahead_z = forward(yaw)
+    thing = _as_lying(state, thing)
+    (x, _, z), sight = state.agent.position, state.sight
+    x, z = x + FEET * sight.ahead_x, z + FEET * sight.ahead_z
+    area = Footprint(x - AROUND, x + AROUND, z - AROUND, z + AROUND, x, z)
     for floor in state.of_type("Floor"):
-        reach = DROP_REACH
-        area = Footprint(x - reach, x + reach, z - reach, z + reach, x, z)
-        spot = free_spot(state.objects, _as_lying(state, thing), floor, (x, z), area)
         # Where nothing is free around the feet it lands on top of whatever is there.
-        middle = Vector(x + 0.3 * ahead_x, thing.box.size.y / 2, z + 0.3 * ahead_z)
-        settle_down(state, floor.id, spot or Spot(middle, thing.box.size))
+        on_top = Spot(Vector(x, thing.box.size.y / 2, z), thing.box.size)
+        spot = free_spot(state.objects, thing, floor, nearest_to(x, z), area) or on_top
+        state.put(thing.id, *spot, receptacle=floor.id)
         return
     raise Refused("There is no floor to drop it on.")
-
-
-def settle_down(state: State, receptacle: str, spot: Spot) -> None:
-    """Put what the hand holds at `spot`, in or on `receptacle`."""
-    name = state.release()
-    state.move(name, spot.middle, spot.size)
-    state.attach(name, receptacle)
 
 
 def _as_lying(state: State, thing: SceneObject) -> SceneObject:
     """Return a held thing with the extent it had at first: in a mug a pen stands upright."""
     size = state.room.by_id.get(thing.id, thing).box.size
     return thing if thing.box.size == size else replace(thing, box=Box(thing.box.center, size))
+
+
+def _before(state: State) -> Rank:
+    """Rank places by how near they are to the robot, those in its view before all others."""
+    here_x, here_z, ahead_x, ahead_z, _, cosine = state.sight
+
+    def rank(x: float, z: float) -> float:
+        dx, dz = x - here_x, z - here_z
+        squared = dx * dx + dz * dz
+        in_view = dx * ahead_x + dz * ahead_z >= cosine * squared**0.5
+        return squared if in_view else squared + OUT_OF_VIEW
+
+    return rank
 
 
 def _receptacle(state: State, name: str, force: bool) -> SceneObject:

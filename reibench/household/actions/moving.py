@@ -25,12 +25,12 @@ def teleport(  # noqa: PLR0913 - the arguments are AI2-THOR's
     y: float | None = None,
     z: float | None = None,
 ) -> None:
-    """Stand somewhere else; what is left out stays as it is."""
+    """Stand somewhere else; what is left out stays as it is, and the floor is at one height."""
     here = state.agent
     given = position or {}
     target = Vector(
         _first(x, given.get("x"), here.position.x),
-        _first(y, given.get("y"), here.position.y),
+        here.position.y,
         _first(z, given.get("z"), here.position.z),
     )
     if not forceAction and target != here.position:

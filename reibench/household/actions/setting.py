@@ -54,10 +54,12 @@ def set_object_states(state: State, SetObjectStates: dict[str, Any]) -> None:
     for thing in tuple(state.objects.values()):
         if not getattr(thing, trait) or (only and thing.type != only):
             continue
-        fields: dict[str, Any] = {field: value}
-        if field == "filled":
-            fields["liquid"] = (thing.liquid or "water") if value else ""
-        state.change(thing.id, **fields)
+        if field == "open":
+            state.set_open(thing.id, float(value))
+        elif field == "filled":
+            state.change(thing.id, filled=value, liquid=thing.liquid or "water" if value else "")
+        else:
+            state.change(thing.id, **{field: value})
         for name in state.room.controls.get(thing.id, ()) if field == "on" else ():
             state.change(name, on=value)
 
@@ -101,14 +103,13 @@ def place_object_at_point(
 
 
 def _put_at(state: State, thing: SceneObject, position: Vector) -> None:
-    if state.held == thing.id:
-        state.release()
-    state.detach(thing.id)
     old, middle = thing.position, thing.box.center
     offset = (new - before for new, before in zip(position, old, strict=True))
-    state.move(thing.id, Vector(*(a + b for a, b in zip(middle, offset, strict=True))))
-    if receptacle := _receptacle_at(state, state.objects[thing.id]):
-        state.attach(thing.id, receptacle)
+    there = Vector(*(a + b for a, b in zip(middle, offset, strict=True)))
+    state.put(thing.id, there)
+    receptacle = _receptacle_at(state, state.objects[thing.id])
+    state.put(thing.id, there, receptacle=receptacle)
+    state.change(thing.id, position=position)
 
 
 def _receptacle_at(state: State, thing: SceneObject) -> str:

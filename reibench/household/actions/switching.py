@@ -19,7 +19,7 @@ def open_object(
         raise Refused("Target must be OFF to open!")
     if thing.open and state.openness.get(thing.id, 1.0) == openness:
         raise Refused(f"{thing.id} is already open")
-    _set_openness(state, thing, openness)
+    state.set_open(thing.id, openness)
 
 
 @action("CloseObject")
@@ -30,7 +30,7 @@ def close_object(state: State, objectId: str, forceAction: bool = False) -> None
         raise Refused(f"{thing.id} is not an Openable object")
     if not thing.open:
         raise Refused("object is already closed")
-    _set_openness(state, thing, 0.0)
+    state.set_open(thing.id, 0.0)
 
 
 @action("ToggleObjectOn")
@@ -43,12 +43,6 @@ def toggle_object_on(state: State, objectId: str, forceAction: bool = False) -> 
 def toggle_object_off(state: State, objectId: str, forceAction: bool = False) -> None:
     """Switch something off."""
     _toggle(state, interactable(state, objectId, force=forceAction), on=False)
-
-
-def _set_openness(state: State, thing: SceneObject, openness: float) -> None:
-    kept = {name: much for name, much in state.openness.items() if name != thing.id}
-    state.openness = kept if openness in (0, 1) else kept | {thing.id: openness}
-    state.change(thing.id, open=openness > 0)
 
 
 def _toggle(state: State, thing: SceneObject, *, on: bool) -> None:

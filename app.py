@@ -1,0 +1,66 @@
+"""The web app: settings, database, pages and files put together on one FastAPI server."""
+
+import argparse
+import os
+from pathlib import Path
+
+os.environ.setdefault("GRADIO_ANALYTICS_ENABLED", "False")  # read when gradio is imported
+
+import gradio as gr
+import uvicorn
+from fastapi import FastAPI
+from fastapi.staticfiles import StaticFiles
+
+from reibench.backends.opening import open_backend
+from reibench.dataset.files import shipped_episodes
+from reibench.pages import demo
+from reibench.sittings import Sittings
+from reibench.store import Store
+
+WEB = Path(__file__).parent / "assets" / "web"
+STYLES = ("tokens", "page", "plan", "side_by_side", "phone")
+THEME = """<script>
+(() => {
+  let kept = "";
+  try { kept = JSON.parse(localStorage.getItem("reibench-settings") || "{}").theme } catch {}
+  const dark = matchMedia("(prefers-color-scheme:dark)").matches;
+  document.documentElement.dataset.theme = kept || (dark ? "dark" : "light");
+})();
+</script>"""
+"""Set before the first paint, so that nothing flashes."""
+HEAD = "\n".join(
+    [
+        THEME,
+        *(f'<link rel="stylesheet" href="/web/css/{name}.css">' for name in STYLES),
+        '<script type="module" src="/web/js/main.js"></script>',
+    ]
+)
+
+
+def make_app(database: str, model: str = "") -> FastAPI:
+    """Return the server over the database at this path; `model` overrules the shelf."""
+    sittings = Sittings(shipped_episodes(), Store(Path(database)), open_backend)
+    app = FastAPI(title="REI-Bench", docs_url=None, redoc_url=None, openapi_url=None)
+    app.mount("/web", StaticFiles(directory=WEB), name="web")
+    page = demo.build(sittings, model=model)
+    return gr.mount_gradio_app(
+        app, page, path="/", head=HEAD, footer_links=[], run_history=False, enable_monitoring=False
+    )
+
+
+def main() -> None:
+    """Serve on the host and port of the arguments or the environment."""
+    parser = argparse.ArgumentParser(description="Serve the REI-Bench demo.")
+    setting = os.environ.get
+    parser.add_argument("--host", default=setting("REIBENCH_HOST", "127.0.0.1"))
+    parser.add_argument("--port", type=int, default=int(setting("REIBENCH_PORT", "7860")))
+    parser.add_argument("--db", default=setting("REIBENCH_DB", "data/reibench.db"))
+    parser.add_argument(
+        "--model", default=setting("REIBENCH_MODEL", ""), help="overrules the shelf"
+    )
+    given = parser.parse_args()
+    uvicorn.run(make_app(given.db, given.model), host=given.host, port=given.port)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,1 @@
+"""Pages: widgets and wiring; what they show comes from `reibench.view`."""
