@@ -4,6 +4,7 @@
 """
 
 from collections.abc import Collection, Mapping
+from dataclasses import dataclass
 from random import Random
 
 from reibench.errors import InvalidRoom, unknown
@@ -30,6 +31,16 @@ EXTENTS = {
     "bathroom": ((3.2, 3.8), (2.9, 3.4)),
 }
 """Least and greatest width and depth in metres."""
+
+
+@dataclass(frozen=True)
+class Wishes:
+    """What a room is asked to be, beside its kind; `generate_room` says what each means."""
+
+    require: frozenset[str]
+    allow: frozenset[str] | None
+    objects: int | None
+    where: Mapping[str, str]
 
 
 def generate_room(
@@ -61,18 +72,11 @@ def generate_room(
         raise unknown("kind of room", kind, ROOM_KINDS)
     for each in (*require, *(allow or ())):
         object_type(each)
+    allowed = None if allow is None else frozenset(allow)
+    wishes = Wishes(frozenset(require), allowed, objects, where or {})
     for attempt in range(ATTEMPTS):
-        draft = _start(kind, Random(f"{kind} {seed} {attempt}"), require, objects, allow)
-        try:
-            FURNISHERS[kind](draft)
-            _add_storage(draft)
-        except Cramped:
-            continue
-        add_belongings(draft, where or {})
-        if objects is not None:
-            _fit_number(draft, objects)
-        room = _finish(draft, name)
-        if not shortcomings(room, require):
+        room = _try(kind, name, Random(f"{kind} {seed} {attempt}"), wishes)
+        if room is not None:
             return room
     raise InvalidRoom(f"No {kind} with seed {seed} and all that is asked of it worked out.")
 
@@ -116,26 +120,29 @@ def approachable(room: Room, thing: SceneObject) -> bool:
     return any(area.distance(point.x, point.z) <= ARM for point in room.reachable)
 
 
-def _start(
-    kind: str,
-    random: Random,
-    require: Collection[str],
-    objects: int | None,
-    allow: Collection[str] | None,
-) -> Draft:
+def _try(kind: str, name: str, random: Random, wishes: Wishes) -> Room | None:
+    """Make one attempt; None if the room has shortcomings."""
+    draft = _empty_room(kind, random, wishes)
+    try:
+        FURNISHERS[kind](draft)
+        _add_storage(draft)
+    except Cramped:
+        return None
+    add_belongings(draft, wishes.where)
+    if wishes.objects is not None:
+        _fit_number(draft, wishes.objects)
+    room = _finish(draft, name)
+    return None if shortcomings(room, wishes.require) else room
+
+
+def _empty_room(kind: str, random: Random, wishes: Wishes) -> Draft:
     (least, most), (shallow, deep) = EXTENTS[kind]
-    plenty = 1.0 if objects is None else min(2.0, max(0.5, objects / 50))
+    plenty = 1.0 if wishes.objects is None else min(2.0, max(0.5, wishes.objects / 50))
     # Many objects need more room, but rooms grow slower than what is in them.
     stretch = max(1.0, plenty**0.4)
-    return Draft(
-        kind,
-        random,
-        round(random.uniform(least, most) * stretch, 1),
-        round(random.uniform(shallow, deep) * stretch, 1),
-        frozenset(require),
-        None if allow is None else frozenset(allow),
-        plenty,
-    )
+    width = round(random.uniform(least, most) * stretch, 1)
+    depth = round(random.uniform(shallow, deep) * stretch, 1)
+    return Draft(kind, random, width, depth, wishes.require, wishes.allow, plenty)
 
 
 def _add_storage(draft: Draft) -> None:

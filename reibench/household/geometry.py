@@ -1,6 +1,6 @@
-"""Geometry on the floor plan: footprints of boxes, reach, view and headings."""
+"""Geometry on the floor plan: footprints of boxes, reach and view."""
 
-from math import atan2, cos, degrees, radians, sin
+from math import cos, radians, sin
 from typing import NamedTuple
 
 from reibench.scene import Box, Vector
@@ -73,11 +73,6 @@ def forward(yaw: float) -> tuple[float, float]:
     """Return the unit step (x, z) of something facing `yaw` degrees."""
     angle = radians(yaw)
     return sin(angle), cos(angle)
-
-
-def heading(dx: float, dz: float) -> float:
-    """Return the yaw in degrees, 0 to 360, of something facing along (dx, dz)."""
-    return degrees(atan2(dx, dz)) % 360
 
 
 class Sight(NamedTuple):

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping
 from itertools import product
 from typing import Any
 
-from reibench.errors import InvalidRoom, UnknownName
+from reibench.errors import InvalidRoom
 from reibench.household.geometry import forward, volume
 from reibench.household.objects import ObjectType, object_type
 from reibench.household.state import HAND_DISTANCE, HAND_HEIGHT, Moment
@@ -124,8 +124,6 @@ def scene_from_metadata(metadata: Mapping[str, Any]) -> Scene:
         raise InvalidRoom(f"The metadata lack {error}.") from None
     except (TypeError, ValueError, AttributeError) as error:
         raise InvalidRoom(f"The metadata hold a value of the wrong form ({error}).") from None
-    except UnknownName as error:
-        raise InvalidRoom(f"The metadata name an unknown object type: {error}") from None
 
 
 def _read(metadata: Mapping[str, Any]) -> Scene:

@@ -73,7 +73,7 @@ PLANS: Mapping[str, Plan] = {
         1,
         tuple(_BEDROOM.split()),
         closed=True,
-        where={"Pencil": "Desk", "Mug": "Desk", "CD": "Drawer"},
+        where={"BaseballBat": "Floor", "CD": "Drawer", "Mug": "Desk", "Pencil": "Desk"},
     ),
     "bedroom-2": Plan("bedroom", 2, ("Desk", "Dresser", "Mirror", "SideTable")),
     "bathroom-1": Plan("bathroom", 1, ("Bathtub", "Cabinet")),

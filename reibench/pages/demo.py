@@ -48,8 +48,9 @@ def build(sittings: Sittings, *, links: Links = (("Demo", "/"),), model: str = "
         model: the language model planners ask, e.g. `scripted:FILE`; from the shelf if empty.
     """
     demo = Demo(sittings, links, model)
-    with gr.Blocks(title="REI-Bench", analytics_enabled=False) as blocks:
-        visitor = gr.BrowserState("", storage_key="reibench-visitor", secret="reibench")  # noqa: S106
+    blocks: gr.Blocks = gr.Blocks(title="REI-Bench", analytics_enabled=False)
+    with blocks:
+        visitor = gr.BrowserState("", storage_key="reibench-visitor", secret="reibench")
         bus = gr.HTML(frame(), elem_id="bus", js_on_load=BUS, apply_default_css=False)
         reply, parts = _lay_out()
         outputs = [reply, *parts.values()]
@@ -90,7 +91,7 @@ def _lay_out() -> tuple[gr.HTML, dict[str, gr.HTML]]:
             with gr.Column(elem_classes="part d-actor"):
                 part(picker_panel(), elem_id="picker", elem_classes="keeps")
                 act = part(elem_classes="fills")
-        stage = part(elem_id="stage")
+        stage = part(elem_id="stage", elem_classes="fills")
         sheet = part(elem_id="settings", elem_classes="keeps")
     made = {"bar": bar, "talk": talk, "room": room, "act": act, "stage": stage, "sheet": sheet}
     return reply, {name: made[name] for name in PARTS}
@@ -238,7 +239,7 @@ class Demo:
     # screens
 
     def _acted(self, visitor: str, ask: Ask, act: Callable[[], Sitting]) -> Screen:
-        """Return the page after the visitor acted, with a word on what was in the way if anything."""
+        """Return the page after the visitor acted, and what was in the way if anything."""
         try:
             sitting, notice = act(), ""
         except StaleStep:

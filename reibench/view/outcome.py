@@ -10,7 +10,7 @@ from reibench.skill import Verb
 from reibench.verdict import ErrorKind, error_kind, omitted
 from reibench.view.icons import mark
 from reibench.view.markup import classes, element, text
-from reibench.view.words import a, name
+from reibench.view.words import a, name, sentence
 from reibench.worlds import Event
 
 Tone = Literal["good", "bad", "warn", "plain"]
@@ -68,7 +68,9 @@ def verdict(record: Record, *, budget: int) -> Verdict:
     if record.status == "error":
         broken = "stopped" in record.error or "left before" in record.error
         title = f"Stopped after {taken} steps" if broken else "Something broke"
-        return Verdict(title, text_of_error(record.error), "plain" if broken else "warn")
+        return Verdict(
+            title, sentence(record.error or "no reason was recorded"), "plain" if broken else "warn"
+        )
     kind = error_kind(record)
     spent = f"All {budget} steps are used. " if record.status == "truncated" else ""
     if kind is ErrorKind.OMISSION:
@@ -76,15 +78,9 @@ def verdict(record: Record, *, budget: int) -> Verdict:
     return Verdict("Failed: execution error", spent + _execution(record), "bad")
 
 
-def text_of_error(error: str) -> str:
-    """Return an error as a sentence."""
-    error = error.strip() or "No reason was recorded"
-    return error[0].upper() + error[1:] + ("" if error.endswith((".", "!", "?")) else ".")
-
-
 def _success(record: Record) -> str:
     goals = record.steps[-1].event.goals if record.steps else ()
-    return f"{_capital(goals[-1].text)}." if goals else "The instruction is carried out."
+    return sentence(goals[-1].text) if goals else "The instruction is carried out."
 
 
 def _omission(record: Record) -> str:

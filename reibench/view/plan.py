@@ -4,7 +4,7 @@ from collections.abc import Collection
 
 from reibench.scene import Scene
 from reibench.view.containment import is_hidden
-from reibench.view.icons import mark
+from reibench.view.icons import appearance, mark
 from reibench.view.markup import classes, element
 from reibench.view.plan_fronts import draw_fronts, group_fronts
 from reibench.view.plan_furniture import furniture
@@ -73,7 +73,10 @@ def floor_plan(
 def legend(scene: Scene, layout: Layout) -> str:
     """Return what the marks and shapes mean, only those that are there now."""
     shown = {
-        state for thing in scene.objects if not is_hidden(thing, scene) for state in states(thing)
+        state
+        for thing in scene.objects
+        if appearance(thing).drawn_as not in ("wall", "hidden") and not is_hidden(thing, scene)
+        for state in states(thing)
     }
     entries = [
         element("span", _disc(state), state, class_=f"s-{state}")

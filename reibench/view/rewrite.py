@@ -64,7 +64,7 @@ def _words(sentence: str) -> list[str]:
 
 
 def _spaced(words: list[str]) -> str:
-    return re.sub(r"\s+([.,;:!?)])", r"\1", " ".join(words))
+    return re.sub(r"([(]) ", r"\1", re.sub(r" ([.,;:!?)])", r"\1", " ".join(words)))
 
 
 def _tight(markup: str) -> str:

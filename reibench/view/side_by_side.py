@@ -15,6 +15,7 @@ from reibench.view.plan_geometry import ASIDE
 from reibench.view.plan_layout import arrange
 from reibench.view.rewrite import word_diff
 from reibench.view.topbar import episode_chips
+from reibench.view.words import sentence
 from reibench.watching import Sitting
 
 SIGNS = {"same": "=", "differs": "≠", "left only": "+", "right only": "+"}
@@ -79,8 +80,8 @@ def _head(episode: Episode, method: str, *, begun: bool, running: bool) -> str:
         ]
     else:
         controls = [
-            _control("first", "⏮", "First step (Home)"),
-            _control("back", "◀", "Back (←)"),
+            _control("first", "M1 1.500h2v9h-2zM11 1.500v9L4 6z", "First step (Home)"),
+            _control("back", "M9.500 1.500v9L2.500 6z", "Back (←)"),
             element(
                 "button",
                 element("span", "Play"),
@@ -89,7 +90,7 @@ def _head(episode: Episode, method: str, *, begun: bool, running: bool) -> str:
                 class_="btn primary play",
                 data_do="play",
             ),
-            _control("forward", "▶", "Forward (→)"),
+            _control("forward", "M2.500 1.500v9L9.500 6z", "Forward (→)"),
             element(
                 "button",
                 "To divergence",
@@ -110,10 +111,11 @@ def _head(episode: Episode, method: str, *, begun: bool, running: bool) -> str:
     )  # fmt: skip
 
 
-def _control(what: str, sign: str, words: str) -> str:
+def _control(what: str, shape: str, words: str) -> str:
+    sign = element("path", d=shape, fill="currentColor")
     return element(
         "button",
-        sign,
+        element("svg", sign, viewbox="0 0 12 12", width=14, aria_hidden="true"),
         type="button",
         class_="btn icon",
         data_do=what,
@@ -259,8 +261,8 @@ def _caption(run: Sitting, reached: int) -> str:
     step = run.steps[reached - 1]
     ended = run.status is not None and reached == len(run.steps)
     label = "End." if ended else f"Step {step.number}."
-    message = step.event.message or f"{step.decision.skill.text}: done."
-    return f"{element('b', label)} {text(message[:1].upper() + message[1:])}"
+    message = sentence(step.event.message or f"{step.decision.skill.text}: done")
+    return f"{element('b', label)} {text(message)}"
 
 
 def _verdicts(left: Sitting | None, right: Sitting | None) -> str:

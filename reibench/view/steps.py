@@ -6,6 +6,10 @@ from reibench.planners import Decision
 from reibench.rollout import Step
 from reibench.view.icons import mark
 from reibench.view.markup import classes, element, number, text
+from reibench.view.words import sentence
+
+_WORTH_SAYING = 0.01
+"""Probability from which on a runner-up is shown."""
 
 
 def budget(used: int, most: int) -> str:
@@ -46,7 +50,7 @@ def step_list(steps: Sequence[Step], *, active: str = "", empty: str = "") -> st
 def _row(step: Step, *, now: bool) -> str:
     done = step.event.success
     sign = element("span", mark("cooked" if done else "no"), class_=classes("mk", no=not done))
-    said = element("small", text(step.event.message)) if step.event.message else ""
+    said = element("small", text(sentence(step.event.message))) if step.event.message else ""
     outcome = element("span", "" if done else "refused: ", class_="sr")
     words = element(
         "span",
@@ -72,17 +76,15 @@ def _alternatives(decision: Decision) -> str:
     for option in decision.alternatives:
         share = f"{100 * option.probability:.0f} %"
         if option.text.strip() == decision.skill.text:
-            chosen = share
-        else:
-            others.append(f"{text(option.text.strip())} {share}")
-    rest = " · ".join(others[:2])
-    return element(
-        "small", " · ".join(filter(None, (chosen and f"{chosen} sure", rest))), class_="odds"
-    )
+            chosen = f"{share} sure"
+        elif option.probability >= _WORTH_SAYING:
+            others.append(f"{option.text.strip()} {share}")
+    words = " · ".join(filter(None, (chosen, *others[:2])))
+    return element("small", text(words), class_="odds")
 
 
 def announcement(step: Step) -> str:
     """Return what a screen reader says of a step."""
     outcome = "done" if step.event.success else "refused"
-    message = f" {step.event.message}" if step.event.message else ""
-    return f"Step {step.number}, {step.decision.skill.text}: {outcome}.{message}"
+    said = f"Step {step.number}, {step.decision.skill.text}: {outcome}."
+    return f"{said} {sentence(step.event.message)}".strip()

@@ -59,6 +59,14 @@ def described(thing: SceneObject, scene: Scene) -> str:
     return ", ".join(filter(None, parts))
 
 
+def sentence(words: str) -> str:
+    """Return `words` with a capital letter and a full stop; messages of the world have neither."""
+    words = words.strip()
+    if not words:
+        return ""
+    return words[0].upper() + words[1:] + ("" if words.endswith((".", "!", "?")) else ".")
+
+
 def a(object_type: str) -> str:
     """Return the name of this type with its indefinite article."""
     return with_article(name(object_type))

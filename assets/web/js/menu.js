@@ -4,6 +4,7 @@ import { endedDrag, focusSpot, middle, nearestSpot, plan } from "./plan.js";
 import { isNarrow, onChange, run } from "./page.js";
 
 let opener = null;
+let beside = ""; // id of the thing whose neighbours the strip lists
 
 const baseType = (spot) => spot.dataset.type.replace(/(Sliced|Cracked)$/, "");
 
@@ -81,9 +82,10 @@ export function close({ back = false } = {}) {
 
 /** Show everything on or in the same place as `spot` where fingers can hit it. */
 function showSurface(spot) {
+  beside = spot.dataset.oid;
   const strip = document.querySelector(".surface");
   if (!strip || !isNarrow()) return;
-  const beside = [...plan().querySelectorAll("[data-oid][data-type]")].filter(
+  const others = [...plan().querySelectorAll("[data-oid][data-type]")].filter(
     (other) => other.dataset.place === spot.dataset.place && other.classList.contains("thing"),
   );
   strip.innerHTML = "";
@@ -91,7 +93,7 @@ function showSurface(spot) {
   label.className = "label";
   label.textContent = spot.dataset.place || "Here";
   strip.append(label);
-  for (const other of [spot, ...beside.filter((one) => one !== spot)].slice(0, 14)) {
+  for (const other of [spot, ...others.filter((one) => one !== spot)].slice(0, 14)) {
     const button = document.createElement("button");
     button.type = "button";
     button.className = "btn";
@@ -168,5 +170,10 @@ document.addEventListener("keydown", (event) => {
 }, true);
 
 onChange(() => {
+  const strip = document.querySelector(".surface");
+  if (beside && strip && !strip.childElementCount && isNarrow()) {
+    const spot = plan()?.querySelector(`[data-oid="${beside}"]`);
+    if (spot) showSurface(spot);
+  }
   if (opener && !opener.isConnected) close();
 });

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 from importlib import import_module
 from inspect import Parameter, signature
 from typing import Any, TypeVar
@@ -67,12 +68,12 @@ def action(*names: str, changes: bool = True) -> Callable[[Function], Function]:
     return add
 
 
+@lru_cache(maxsize=1)
 def known_actions() -> dict[str, Action]:
     """Return every action by name."""
-    if not _ACTIONS:
-        for family in FAMILIES:
-            import_module(f"{__name__}.{family}")
-    return _ACTIONS
+    for family in FAMILIES:
+        import_module(f"{__name__}.{family}")
+    return dict(_ACTIONS)
 
 
 def interactable(state: State, name: str, *, force: bool = False) -> SceneObject:

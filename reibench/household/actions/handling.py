@@ -7,7 +7,7 @@ from reibench.household.geometry import Footprint
 from reibench.household.objects import object_type
 from reibench.household.placement import Rank, Spot, free_spot, nearest_to
 from reibench.household.state import State
-from reibench.scene import CONTAINERS, Box, SceneObject, Vector
+from reibench.scene import Box, SceneObject, Vector
 
 OUT_OF_VIEW = 1e6
 FEET = 0.3
@@ -125,4 +125,4 @@ def _may_go(thing: SceneObject, receptacle: SceneObject) -> bool:
 
 
 def _shut(receptacle: SceneObject) -> bool:
-    return receptacle.openable and not receptacle.open and receptacle.type in CONTAINERS
+    return object_type(receptacle.type).encloses and not receptacle.open
