@@ -48,7 +48,7 @@ PLANS: Mapping[str, Plan] = {
         closed=True,
         where={
             "Apple": "DiningTable",
-            "Potato": "Fridge",
+            "Potato": "CounterTop",
             "Tomato": "CounterTop",
             "Spoon": "Drawer",
             "Plate": "Cabinet",
@@ -66,7 +66,7 @@ PLANS: Mapping[str, Plan] = {
         2,
         (*_LIVING_ROOM.split(), "Book", "Curtains", "Plate", "TissueBox"),
         closed=True,
-        where={"CreditCard": "Drawer"},
+        where={"CreditCard": "CoffeeTable", "KeyChain": "Drawer"},
     ),
     "bedroom-1": Plan(
         "bedroom",

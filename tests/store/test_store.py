@@ -69,7 +69,7 @@ def test_a_replay_confirms_a_record_and_notices_a_forged_one(store, episode):
     assert replay(store.record(record.id), worlds.create("embedded")).differences == ()
     store.query("update steps set message = 'forged', success = 0 where number = 3")
     found = replay(store.record(record.id), worlds.create("embedded")).differences
-    assert found[0].startswith("step 3 (pick up the potato): success was False, now True")
+    assert found[0].startswith("step 3 (find a microwave): success was False, now True")
 
 
 def test_several_threads_write_at_once_and_lose_nothing(store, episodes):

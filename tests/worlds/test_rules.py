@@ -98,9 +98,9 @@ def test_finding_again_goes_to_the_next_one(episode, click):
 
 
 def test_what_is_in_something_closed_must_be_uncovered_first(episode, click):
-    rollout = click(episode, "find a potato", "pick up the potato")
-    assert last(rollout).message == "the potato is in the fridge, which is closed"
-    for text in ("open the fridge", "pick up the potato"):
+    rollout = click(episode, "find an egg", "pick up the egg")
+    assert last(rollout).message == "the egg is in the fridge, which is closed"
+    for text in ("open the fridge", "pick up the egg"):
         rollout.step(Decision(parse_skill(text)))
         assert last(rollout).success
 
