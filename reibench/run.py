@@ -4,17 +4,16 @@ import hashlib
 import json
 import logging
 from collections.abc import Iterable, Iterator
-from dataclasses import asdict, dataclass
-from functools import lru_cache
-from pathlib import Path
+from dataclasses import asdict, dataclass, replace
 from typing import TYPE_CHECKING
 
-from reibench.backends import Backend
+from reibench.backends import Backend, backends
 from reibench.episode import Episode
 from reibench.errors import StoreUnavailable
 from reibench.methods import Instruction, methods
 from reibench.planners import Planner, planners
 from reibench.rollout import MAX_STEPS, Record, Rollout, Step, drive
+from reibench.version import code_version
 from reibench.worlds import World, worlds
 from reibench.worlds.rules import rules_called
 
@@ -22,28 +21,6 @@ if TYPE_CHECKING:
     from reibench.store import Store
 
 log = logging.getLogger(__name__)
-
-ROOT = Path(__file__).parents[1]
-DECIDING = ("household", "worlds", "planners", "methods", "backends")
-"""Folders whose code can change what a run does, …"""
-DECIDING_MODULES = ("dialogue", "episode", "goals", "rollout", "scene", "skill")
-"""… and modules."""
-
-
-@lru_cache(maxsize=1)
-def code_version() -> str:
-    """Return 12 hex digits that change when code, rooms or examples that decide a run do."""
-    library = ROOT / "reibench"
-    paths = [
-        *(library / f"{name}.py" for name in DECIDING_MODULES),
-        *(path for folder in DECIDING for path in (library / folder).rglob("*.py")),
-        *(ROOT / "assets" / "rooms").glob("*"),
-        *(ROOT / "assets" / "examples").glob("*"),
-    ]
-    sha = hashlib.sha256()
-    for path in sorted(paths):
-        sha.update(path.read_bytes())
-    return sha.hexdigest()[:12]
 
 
 @dataclass(frozen=True)
@@ -60,7 +37,7 @@ class RunSpec:
     seed: int = 0
     """Added to every episode's own seed, which decides where the robot starts."""
     code: str = ""
-    """`code_version()` when the run was made."""
+    """Digest of the code that decides the run, when it was made; see `versioned`."""
 
     @property
     def id(self) -> str:
@@ -74,6 +51,15 @@ class RunSpec:
         if not self.model:
             return self.planner
         return f"{self.planner}+{self.method}/{self.model}"
+
+    def versioned(self) -> "RunSpec":
+        """Return this spec with the version of the code that would play it now."""
+        parts = [planners.get(self.planner).__module__] if self.planner in planners.names() else []
+        if self.model:
+            backend = self.model.partition(":")[0]
+            parts += [methods.get(self.method).__module__, backends.get(backend).__module__]
+        code = code_version("reibench.rollout", worlds.get(self.world).__module__, *parts)
+        return replace(self, code=code)
 
     def check(self) -> None:
         """Refuse unknown names before anything is loaded; raises UnknownName."""

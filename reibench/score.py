@@ -3,7 +3,7 @@
 Every episode begun counts in the denominator; nothing here reads message text.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from math import comb, sqrt
 from statistics import NormalDist
 
@@ -12,7 +12,7 @@ import pandas as pd
 from reibench.store import Store
 from reibench.verdict import ErrorKind
 
-COUNTED = {
+COUNTED: dict[str, Callable[[pd.DataFrame], "pd.Series[bool]"]] = {
     "success": lambda frame: frame["status"] == "success",
     "success_said_done": lambda frame: (frame["status"] == "success") & (frame["said_done"] == 1),
     "object_omission": lambda frame: frame["error_kind"] == str(ErrorKind.OMISSION),
@@ -84,8 +84,10 @@ def paired(frame: pd.DataFrame, first: str, second: str) -> dict[str, object]:
     """
     solved = {
         run: {
-            row.episode: row.status == "success"
-            for row in frame[(frame["run"] == run) & frame["status"].notna()].itertuples()
+            str(episode): status == "success"
+            for episode, status in frame.loc[
+                (frame["run"] == run) & frame["status"].notna(), ["episode", "status"]
+            ].to_numpy()
         }
         for run in (first, second)
     }

@@ -13,7 +13,7 @@ from reibench.errors import ReibenchError, StaleStep, unknown
 from reibench.planners import Decision
 from reibench.pool import Lease, Pool
 from reibench.rollout import Rollout
-from reibench.run import RunSpec, code_version, make_world
+from reibench.run import RunSpec, make_world
 from reibench.skill import Skill, parse_skill
 from reibench.store import Entry, Store
 from reibench.watching import Sitting, Watching
@@ -47,7 +47,7 @@ class Sittings:
         self.episodes: Mapping[str, Episode] = {each.id: each for each in episodes}
         self._store = store
         self._open_model = open_model
-        self._spec = replace(spec or RunSpec(), code=code_version())
+        self._spec = spec or RunSpec()
         self._live: Pool[_Live] = Pool(WORLDS_KEPT, lambda live: live.world.close())
         self._watching = Watching(store, open_model, self._spec)
 
@@ -62,7 +62,7 @@ class Sittings:
                     if entry.status is None:
                         return self._show(entry.id, visitor)
                     break
-        spec = replace(self._spec, planner=PERSON, method="none", model="")
+        spec = replace(self._spec, planner=PERSON, method="none", model="").versioned()
         record_id = self._store.begin(spec, episode, actor=PERSON, origin="demo", visitor=visitor)
         live = self._live.lend(record_id, lambda: self._make(episode)).value
         if live.rollout.first_event is not None:
@@ -152,7 +152,8 @@ class Sittings:
     ) -> Iterator[Sitting]:
         """Let a planner act, and yield after each thing that happened; the last has a status."""
         spec = replace(self._spec, planner=planner, method=method, model=model)
-        return self._watching.watch(visitor, self.episode(episode_id), spec)
+        spec.check()
+        return self._watching.watch(visitor, self.episode(episode_id), spec.versioned())
 
     def stop(self, visitor: str) -> None:
         """End this visitor's running watches after the step they are at."""

@@ -59,7 +59,6 @@ class Watching:
         However it ends, by itself, by `stop`, by an error or because nobody looks any more, the
         record is closed.
         """
-        spec.check()
         world = make_world(spec)
         rollout = Rollout(episode, world, max_steps=spec.max_steps)
         start = rollout.start()

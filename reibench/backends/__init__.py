@@ -17,6 +17,8 @@ class Prompt:
     may keep them evaluated."""
     chat: bool = False
     """Whether to ask in the model's chat template, as one user turn, if it has one."""
+    begun: str = ""
+    """How the answer begins: what is asked for goes on from here."""
 
 
 @dataclass(frozen=True)

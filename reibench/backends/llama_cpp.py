@@ -109,10 +109,10 @@ class LlamaCpp:
 
     def _formatted(self, prompt: Prompt) -> str:
         if not (prompt.chat and self._chat):
-            return prompt.text
+            return prompt.text + prompt.begun
         messages = [{"role": "user", "content": prompt.text}]
         template: str = self._post("/apply-template", {"messages": messages})["prompt"]
-        return template
+        return template + prompt.begun
 
     def _tokenize(self, text: str, *, special: bool) -> tuple[int, ...]:
         request = {"content": text, "add_special": special, "parse_special": special}

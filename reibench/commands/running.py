@@ -11,7 +11,7 @@ from reibench.commands.scoring import print_scores
 from reibench.episode import Episode
 from reibench.models import best_present
 from reibench.rollout import MAX_STEPS
-from reibench.run import RunSpec, code_version, evaluate, make_world, needs_model
+from reibench.run import RunSpec, evaluate, make_world, needs_model
 from reibench.store import Store
 from reibench.verdict import error_kind
 
@@ -47,12 +47,12 @@ def run_command(arguments: Namespace) -> int:
             rules=arguments.rules,
             max_steps=arguments.max_steps,
             seed=arguments.seed,
-            code=code_version(),
         )
         for method in arguments.method.split(",")
     ]
     for spec in specs:
         spec.check()
+    specs = [spec.versioned() for spec in specs]
     chosen = chosen_episodes(arguments)
     store = Store(arguments.db)
     backend = open_backend(specs[0].model) if specs[0].model else None

@@ -18,7 +18,8 @@ Use the previous context below to resolve the referring expressions:
 
 {context}Human pending instruction: {instruction}
 
-Do not add extra commentary or conversation to the whole plan; only output the clear instructions."""
+Do not add extra commentary or conversation to the whole plan; only output the \
+clear instructions."""
 """The wording of appendix C; the context lines are the published code's."""
 
 PREVIOUS = "Human previous inquiry (not required to execute): {said}\n"

@@ -196,6 +196,7 @@ class Demo:
             for method in ("none", ask.method)
         ]
         runs: list[Sitting | None] = [None, None]
+        sitting = None
         going = [0, 1]
         while going:
             for side in tuple(going):
@@ -203,6 +204,8 @@ class Demo:
                 if sitting is None or sitting.status is not None:
                     going.remove(side)
                 yield Screen(stage=side_stage(setting, (runs[0], runs[1])))
+        if sitting is not None:
+            yield Screen(bar=self._setting(ask, sitting).bar(sitting.start, "side"))
 
     def halt(self, visitor: str, event: gr.EventData) -> Answer:
         """Stop what this visitor watches after the step it is at."""

@@ -65,8 +65,7 @@ def _draw(thing: SceneObject, scene: Scene, canvas: Canvas, *, above: bool) -> s
 
 
 def _free_standing(area: Rect, canvas: Canvas) -> bool:
-    inner = canvas.floor.grown(-0.25 * canvas.scale)
-    return area.within(inner) == area
+    return area.lies_in(canvas.floor.grown(-0.25 * canvas.scale))
 
 
 def _label(thing: SceneObject, area: Rect) -> Drawing:

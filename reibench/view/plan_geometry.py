@@ -70,6 +70,11 @@ class Rect(NamedTuple):
         shared = self.within(other)
         return shared.width * shared.height
 
+    def lies_in(self, outer: "Rect") -> bool:
+        """Whether all of it is inside `outer`."""
+        across = outer.x <= self.x and self.right <= outer.right
+        return across and outer.y <= self.y and self.bottom <= outer.bottom
+
     def contains(self, x: float, y: float) -> bool:
         """Whether the point lies inside."""
         return self.x <= x <= self.right and self.y <= y <= self.bottom

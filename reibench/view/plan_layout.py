@@ -187,7 +187,7 @@ def _obstacles(scene: Scene, canvas: Canvas) -> list[tuple[str, Rect]]:
 
 def _relax(nodes: list[_Node], obstacles: list[tuple[str, Rect]], canvas: Canvas) -> None:
     """Push `nodes` apart, first on what holds them, then a little beyond where that is too full."""
-    for slack in (0.0, 0.0, 6.0, 14.0, 24.0, 40.0):
+    for slack in (0.0, 0.0, 6.0, 14.0, 24.0, 40.0, 70.0):
         for turn in range(60):
             worst = _push_apart(nodes)
             for node in nodes:
@@ -215,14 +215,25 @@ def _push_apart(nodes: list[_Node]) -> float:
             missing = need - distance
             if missing > 0:
                 worst = max(worst, missing)
-                dx, dy = (dx, dy) if distance > 0.1 else (0.1 * (1 + index % 3), 0.1)
-                distance = math.hypot(dx, dy)
-                share = missing * 0.32 / distance
+                dx, dy = _slanted(dx, dy, index)
+                share = missing * 0.32 / math.hypot(dx, dy)
                 one.x -= dx * share
                 one.y -= dy * share
                 other.x += dx * share
                 other.y += dy * share
     return worst
+
+
+def _slanted(dx: float, dy: float, turn: int) -> tuple[float, float]:
+    """Return a direction that is never quite level or upright, so that rows can give way."""
+    side = 1.0 if turn % 2 else -1.0
+    if abs(dx) < 0.1 and abs(dy) < 0.1:
+        return 0.1 * (1 + turn % 3), 0.1 * side
+    if abs(dy) < 0.08 * abs(dx):
+        return dx, 0.12 * side * abs(dx)
+    if abs(dx) < 0.08 * abs(dy):
+        return 0.12 * side * abs(dy), dy
+    return dx, dy
 
 
 def _push_out(node: _Node, obstacles: list[tuple[str, Rect]]) -> None:

@@ -79,7 +79,7 @@ def _free_place(
             x = anchor[0] + distance * math.cos(angle) - width / 2
             y = anchor[1] + distance * math.sin(angle) - _TALL / 2
             area = Rect(x, y, width, _TALL)
-            if area.within(floor) != area:
+            if not area.lies_in(floor):
                 continue
             cost = 0.35 * distance
             cost += sum(2.0 * area.overlap(other) for other in taken)
@@ -143,7 +143,7 @@ def names(scene: Scene, layout: Layout, taken: list[Rect]) -> str:
             Rect(x - gap - width, y - 6.5, width, 13),
         )
         for area in sides:
-            inside = area.within(canvas.floor) == area
+            inside = area.lies_in(canvas.floor)
             if inside and not any(area.overlap(other) > 1 for other in blocked):
                 blocked.append(area)
                 drawn.append(rect(area, "nametag", 4) + label(area.cx, area.y + 10, words, "name"))

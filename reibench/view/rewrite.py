@@ -7,8 +7,8 @@ from reibench.methods import Instruction
 from reibench.view.markup import element, text
 
 _WORD = re.compile(r"\w+(?:['’]\w+)*|[^\w\s]")
-_SHORT = 2
-"""Words that stay between two changes are shown as changed too if they are this few."""
+_SHORT = 3
+"""A single word of so few letters between two changes is shown as changed too."""
 
 
 def word_diff(before: str, after: str) -> str:
@@ -47,9 +47,9 @@ def _joined(matcher: SequenceMatcher[str], old: list[str], new: list[str]) -> li
     codes = matcher.get_opcodes()
     for index, (kind, a, b, c, d) in enumerate(codes):
         kept = kind == "equal"
-        words = [word for word in new[c:d] if word[0].isalnum()]
+        stays = "".join(new[c:d])
         inner = 0 < index < len(codes) - 1
-        if kept and inner and len(words) <= _SHORT and sum(map(len, words)) < 7:
+        if kept and inner and d - c == 1 and len(stays) <= _SHORT:
             kept = False
         if runs and not kept and not runs[-1][0]:
             _, old_words, new_words = runs.pop()

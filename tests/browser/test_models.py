@@ -1,0 +1,117 @@
+"""A visitor watches planners act: one alone, and two side by side."""
+
+from itertools import chain, zip_longest
+
+import pytest
+from playwright.sync_api import expect
+
+from tests.browser import serving
+
+EPISODE = "heat_potato.mixed-noised"
+
+
+def test_a_real_model_acts_and_is_stopped_after_the_step_it_is_at(visit):
+    demo = visit(f"?episode={EPISODE}&actor=tocc")
+    page = demo.page
+    page.click("[data-do=watch]")
+    expect(page.locator(".act .stop")).to_be_visible(timeout=60_000)
+    page.wait_for_selector(".steps .step b", timeout=90_000)
+    expect(page.locator(".told")).to_contain_text("Rewritten by TOCC")
+    if page.locator(".act .stop").count():
+        page.click(".act .stop")
+    expect(page.locator(".act .verdict")).to_be_visible(timeout=60_000)
+    expect(page.locator("[data-do=compare]")).to_be_visible()
+    assert "ready" in page.inner_text(".pill")
+
+
+def test_choosing_something_else_ends_what_one_watches(visit):
+    demo = visit(f"?episode={EPISODE}&actor=model")
+    page = demo.page
+    page.click("[data-do=watch]")
+    expect(page.locator(".act .stop")).to_be_visible(timeout=60_000)
+    page.click(".seg [data-actor=me]")
+    expect(page.locator("#skill")).to_be_visible()
+    demo.settled()
+    page.wait_for_timeout(2500)
+    expect(page.locator("#skill")).to_be_visible()
+    assert page.get_attribute("#choice", "data-actor") == "me"
+    demo.do("find a fridge")
+
+
+@pytest.fixture(scope="module")
+def scripted(chromium, solution, tmp_path_factory):
+    """Serve with a script in place of a model: a run that fails beside one that succeeds."""
+    folder = tmp_path_factory.mktemp("scripted")
+    plain = ["find an apple", "pick up the apple", "done"]
+    told = [*solution, "done"]
+    pairs = chain.from_iterable(zip_longest(plain, told))
+    script = folder / "script.txt"
+    script.write_text("\n".join(["Heat the potato.", *filter(None, pairs)]))
+    with serving.app(folder / "demo.db", model=f"scripted:{script}") as address:
+        yield address
+
+
+def test_two_runs_are_shown_side_by_side_and_played(visit, scripted, solution):
+    demo = visit(f"?episode={EPISODE}&actor=side", address=scripted)
+    page = demo.page
+    page.click("#sbs [data-do=watch]")
+    expect(page.locator("#sbs.over")).to_be_visible()
+    demo.settled()
+    verdicts = page.locator(".verd .verdict strong")
+    expect(verdicts).to_have_text(
+        ["Failed: object omission", f"Succeeded in {len(solution)} of 30 steps"]
+    )
+    expect(page.locator(".instr ins").first).to_be_visible()
+    expect(page.locator(".mid .div")).to_have_text("firstdifference")
+    page.keyboard.press("v")
+    expect(page.locator("#sbs[data-row='0'] .ln.here").first).to_be_visible()
+    demo.settled()
+    expect(page.locator(".pic figcaption").first).to_contain_text("Step 1.")
+    page.keyboard.press("ArrowRight")
+    page.wait_for_selector("#sbs[data-row='1']")
+    demo.settled()
+    page.keyboard.press("End")
+    expect(page.locator(".pic figcaption").last).to_contain_text("End.")
+    demo.settled()
+    page.reload()
+    demo.settled()
+    expect(page.locator("#sbs.over")).to_be_visible()
+    page.keyboard.press("Escape")
+    expect(page.locator("#skill")).to_be_visible()
+
+
+def test_a_model_that_breaks_leaves_a_message_and_the_page_goes_on(visit, scripted):
+    demo = visit("?episode=cool_apple.mixed-noised&actor=model", address=scripted)
+    page = demo.page
+    page.click("[data-do=watch]")
+    expect(page.locator(".act .verdict, .act .notice.bad").first).to_be_visible()
+    expect(page.locator(".act")).to_contain_text("no answer left")
+    page.click(".seg [data-actor=me]")
+    expect(page.locator("#skill")).to_be_visible()
+
+
+def test_the_shelf_tells_which_models_are_here(visit):
+    demo = visit()
+    demo.page.click(".pill")
+    shelf = demo.page.locator("#shelf")
+    expect(shelf).to_be_visible()
+    expect(shelf).to_contain_text("gemma-3-270m")
+    demo.page.locator("#shelf input[value='tocc-span']").check()
+    demo.settled()
+    expect(demo.page.locator("#shelf input[value='tocc-span']")).to_be_checked()
+    demo.page.keyboard.press("Escape")
+    expect(shelf).to_be_hidden()
+
+
+def test_a_restarted_server_finds_the_visitor_where_they_were(visit, tmp_path):
+    port = serving.free_port()
+    with serving.app(tmp_path / "demo.db", port=port) as address:
+        demo = visit(f"?episode={EPISODE}&actor=me", address=address)
+        demo.do("find a fridge")
+    with serving.app(tmp_path / "demo.db", port=port):
+        expect(demo.page.locator(".steps li")).to_have_count(1)
+        demo.page.reload()
+        demo.settled()
+        assert demo.steps == 1
+        demo.do("open the fridge")
+        assert demo.steps == 2
