@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from functools import lru_cache
 
 from reibench.skill import FINDABLE, PICKABLE, in_words
@@ -29,30 +30,53 @@ EVERYDAY = "counter table lamp light couch bin stove burner chair armchair".spli
 
 
 def request(instruction: str) -> str:
-    """Return the sentences of `instruction` that name a place or a lamp; all, if none does.
+    """Return the sentences of `instruction` that name a place or a lamp, else any object, else all.
 
     What is asked for names where it ends; the rest is chatter.
     """
     sentences = re.split(r"(?<=[.!?])\s+", instruction)
-    asking = [sentence for sentence in sentences if _names(places=True).search(sentence)]
-    return " ".join(asking or sentences)
+    with_place = [sentence for sentence in sentences if _names(places=True).search(sentence)]
+    with_object = [sentence for sentence in sentences if _names().search(sentence)]
+    return " ".join(with_place or with_object or sentences)
 
 
-def expressions(instruction: str) -> list[str]:
-    """Return the stretches of `instruction` that may stand for a thing unnamed, in its order.
+def names_a_thing(text: str) -> bool:
+    """Whether `text` names something that can be picked up."""
+    things = _names(places=True).sub("", text)
+    return _names().search(things) is not None
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A place in an instruction where an expression may begin."""
+
+    start: int
+    """Character offset."""
+    spans: tuple[str, ...]
+    """The expressions that may begin there, the shortest first."""
+
+    @property
+    def pronoun(self) -> bool:
+        """Whether it is a pronoun, which may only repeat what was said."""
+        return self.spans[0].lower() in PRONOUNS
+
+
+def candidates(instruction: str) -> list[Candidate]:
+    """Return where expressions for a thing that do not name it may stand, in order.
 
     They are pronouns, or begin with a determiner, a possessive or `what`; they stay within a
     clause; and they name no object of the skills, no place and no lamp.
     """
-    found: dict[str, None] = {}
-    for clause in re.split(r"[^\w\s'’-]+", instruction):
-        words = clause.split()
-        for start, word in enumerate(words):
-            if word.lower() in SUBORDINATE:
+    found = []
+    for clause in re.finditer(r"[\w'’-]+(?:\s+[\w'’-]+)*", instruction):
+        matches = list(re.finditer(r"\S+", clause[0]))
+        words = [match[0] for match in matches]
+        for start, match in enumerate(matches):
+            if match[0].lower() in SUBORDINATE:
                 break
-            for span in _starting(words, start):
-                found.setdefault(span)
-    return list(found)
+            if spans := tuple(_starting(words, start)):
+                found.append(Candidate(clause.start() + match.start(), spans))
+    return found
 
 
 def _starting(words: Sequence[str], start: int) -> Iterable[str]:
@@ -90,8 +114,8 @@ def _is_possessive(word: str) -> bool:
 
 
 def _describes(words: Sequence[str], start: int) -> bool:
-    """Whether what begins here belongs to a thing before it: the one with *the handle*."""
-    return start > 1 and words[start - 1].lower() in ("with", "of")
+    """Whether what begins here belongs to something larger: the one with *the handle*."""
+    return start > 0 and words[start - 1].lower() in ("with", "of", "what", "whatever")
 
 
 def _head_end(words: Sequence[str], start: int) -> int:

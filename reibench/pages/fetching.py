@@ -24,9 +24,12 @@ class Fetcher:
         """The models that are coming, or that could not be fetched, by name."""
         return dict(self._states)
 
+    def known(self) -> frozenset[str]:
+        """Return the names of the models that can be fetched."""
+        return frozenset(model.name for model in models.shelf())
+
     def fetch(self, name: str) -> Iterator[None]:
-        """Fetch a model, and yield now and then while it comes; raises UnknownName."""
-        models.find(name)
+        """Fetch a model, and yield now and then while it comes."""
         with self._lock:
             running = self._states.get(name)
             if running is None or running.error:

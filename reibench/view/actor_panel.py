@@ -117,6 +117,15 @@ def model_panel(
     return _panel(sitting, parts, actor="model", skills=())
 
 
+def trouble_panel(words: str) -> str:
+    """Return what stands in place of the steps when the page could not be made."""
+    notice = element("p", text(words), class_="notice bad", role="alert")
+    again = element("button", "Try again", type="button", class_="btn", data_do="retry")
+    return element(
+        "section", notice, element("div", again, class_="row buttons"), class_="act", id="act"
+    )
+
+
 def _invitation(title: str, *, ready: bool) -> str:
     wait = "" if ready else " The model loads first, which takes a few seconds."
     words = f"{title} reads the dialogue and acts in this room, one step at a time.{wait}"

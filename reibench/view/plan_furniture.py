@@ -72,7 +72,7 @@ def _label(thing: SceneObject, area: Rect) -> Drawing:
     words = LABELS.get(thing.type)
     if not words or area.height < 14:
         return []
-    if words == "microwave" and 34 <= area.width < 62 and area.height >= 34:
+    if words == "microwave" and 34 <= area.width < 80 and area.height >= 34:
         return [
             label(area.cx, area.cy - 2, "micro-", "sm"),
             label(area.cx, area.cy + 9, "wave", "sm"),

@@ -1,7 +1,7 @@
 // The one way to the server: named events with data, sent through Gradio, and what comes of them.
 import { choice, run, settings } from "./page.js";
 
-const PATIENCE = 9000; // ms without an answer before the connection is doubted
+const PATIENCE = 4000; // ms without an answer before the connection is doubted
 let trigger = null;
 let waiting = [];
 let sent = 0;

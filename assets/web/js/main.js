@@ -75,6 +75,7 @@ const DO = {
   keys: (button) => remember("keys", button.checked),
   shuffle: () => send("choose", { shuffle: Math.floor(Math.random() * 1e6) }),
   again: () => send("again"),
+  retry: () => location.reload(),
   solution: () => send("solve", { solution: !run().solution }),
   done: () => !run().over && !isBusy() && carryOut("done"),
   watch: () => send("watch"),

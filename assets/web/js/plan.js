@@ -1,11 +1,11 @@
 // The plan in the browser: names on hover, moving the focus, zoom, and things gliding to new places.
-import { isNarrow, isStill, onChange } from "./page.js";
+import { isStill, onChange } from "./page.js";
 
 const wrap = () => document.querySelector(".roomwrap");
 const box = () => document.querySelector(".planbox");
 /** The drawing that is visible: wide or narrow. */
 export const plan = () =>
-  document.querySelector(isNarrow() ? ".phone-plan .plan" : ".wide-plan .plan");
+  [...document.querySelectorAll(".planbox .plan")].find((drawing) => drawing.clientWidth > 0);
 
 /** Things and furniture one can act on. */
 export const spots = () =>

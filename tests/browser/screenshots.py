@@ -1,0 +1,125 @@
+"""Pictures for the README, taken of the real app: `python -m tests.browser.screenshots`."""
+
+import argparse
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+
+from playwright.sync_api import Browser, Page
+
+from reibench.dataset.files import shipped_episodes
+from reibench.methods import Instruction
+from reibench.planners.expert import Expert
+from reibench.rollout import Rollout, drive
+from reibench.worlds import worlds
+from tests.browser import serving
+
+FOLDER = serving.ROOT / "docs" / "screenshots"
+EPISODE = "heat_potato.implicit-standard"
+DESKTOP = {"width": 1280, "height": 800}
+PHONE = {"width": 390, "height": 844}
+PATIENCE = 600_000
+"""Milliseconds two runs of a model may take."""
+
+
+def expert_skills(episode_id: str) -> list[str]:
+    """Return the skills that solve an episode, in words."""
+    episode = next(each for each in shipped_episodes() if each.id == episode_id)
+    rollout = Rollout(episode, worlds.create("embedded"))
+    rollout.start()
+    steps = drive(rollout, Expert(episode.task.goal), Instruction(text="", original=""))
+    return [step.decision.skill.text for step in steps]
+
+
+def visit(browser: Browser, address: str, **options: object) -> Page:
+    """Open the demo as a new visitor."""
+    page = browser.new_context(**{"viewport": DESKTOP, **options}).new_page()  # type: ignore[arg-type]
+    page.goto(address)
+    page.wait_for_selector("#choice")
+    page.wait_for_selector("#act, #sbs", state="attached")
+    page.wait_for_timeout(600)
+    return page
+
+
+def act(page: Page, skills: Sequence[str]) -> None:
+    """Carry out skills by the picker."""
+    for skill in skills:
+        number = int(page.get_attribute("#act", "data-expected") or 0) + 1
+        page.fill("#skill", skill)
+        page.press("#skill", "Enter")
+        page.wait_for_selector(f"#act[data-expected='{number}']")
+    page.wait_for_timeout(400)
+
+
+def save(page: Page, name: str) -> None:
+    """Write what the page shows to the folder of pictures."""
+    page.screenshot(path=FOLDER / f"{name}.png")
+
+
+def person(browser: Browser, address: str, skills: Sequence[str]) -> None:
+    """Take the pictures of somebody who acts."""
+    wanted = f"{address}/?episode={EPISODE}&actor=me"
+    for scheme, suffix in (("light", ""), ("dark", "-dark")):
+        page = visit(browser, wanted, color_scheme=scheme)
+        if not suffix:
+            save(page, "start")
+        middle = next(at for at, skill in enumerate(skills) if skill.startswith("put down"))
+        act(page, [*skills[: middle - 1], "open the fridge", skills[middle - 1]])
+        page.hover(".wide-plan [data-type=Apple]")
+        page.fill("#skill", "pot")
+        page.wait_for_timeout(300)
+        save(page, f"mid-episode{suffix}")
+        if not suffix:
+            page.fill("#skill", "")
+            act(page, skills[middle:])
+            page.click("[data-do=done]")
+            page.wait_for_selector(".act .verdict")
+            page.mouse.move(5, 5)
+            page.wait_for_timeout(400)
+            save(page, "success")
+    page = visit(browser, wanted, viewport=PHONE, has_touch=True, is_mobile=True)
+    act(page, skills[:3])
+    page.evaluate("window.scrollTo(0, 0)")
+    page.wait_for_timeout(300)
+    save(page, "phone")
+
+
+def planners(browser: Browser, address: str, episodes: Sequence[str]) -> str:
+    """Take the picture of two runs, of the first of `episodes` that only TOCC gets right if any.
+
+    Returns the episode shown.
+    """
+    shown = ""
+    for shown in episodes:
+        page = visit(browser, f"{address}/?episode={shown}&actor=side")
+        page.click("#sbs [data-do=watch]")
+        page.wait_for_selector("#sbs.over", timeout=PATIENCE)
+        page.wait_for_timeout(800)
+        tones = [each.get_attribute("class") or "" for each in page.locator(".verd .verdict").all()]
+        if "bad" in tones[0] and "good" in tones[1]:
+            break
+    page.mouse.move(5, 300)
+    save(page, "side-by-side")
+    return shown
+
+
+def main() -> None:
+    """Take all pictures, or only those without a language model."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--model", default="", help="for the side by side; the best one if empty")
+    parser.add_argument("--episodes", default=EPISODE, help="to try for it, with commas")
+    parser.add_argument("--without-model", action="store_true", help="leave the side by side out")
+    given = parser.parse_args()
+    FOLDER.mkdir(parents=True, exist_ok=True)
+    with (
+        tempfile.TemporaryDirectory() as folder,
+        serving.app(Path(folder) / "demo.db", model=given.model) as address,
+        serving.browser() as browser,
+    ):
+        person(browser, address, expert_skills(EPISODE))
+        if not given.without_model:
+            planners(browser, address, given.episodes.split(","))
+
+
+if __name__ == "__main__":
+    main()
