@@ -130,9 +130,7 @@ def verdict_box(found: Verdict, *, wide: bool = False) -> str:
     symbol = {"good": "cooked", "bad": "no", "warn": "no", "plain": "on"}[found.tone]
     badge = element("span", mark(symbol), class_="mk")
     words = element("div", element("strong", text(found.title)), element("p", text(found.sentence)))
-    return element(
-        "div", badge, words, class_=classes("verdict", found.tone, wide=wide), role="status"
-    )
+    return element("div", badge, words, class_=classes("verdict", found.tone, wide=wide))
 
 
 def person_verdict(status: Status, record: Record, budget: int) -> Verdict:

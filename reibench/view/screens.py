@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from reibench.episode import Episode
 from reibench.methods import Instruction
+from reibench.scene import Scene
 from reibench.skill import SKILLS, Skill
 from reibench.view.actor_panel import model_panel, person_panel
 from reibench.view.catalogue import Catalogue
@@ -94,7 +95,7 @@ def loading() -> Screen:
     return Screen(room=room_loading())
 
 
-def scenes_of(sitting: Sitting) -> list:  # type: ignore[type-arg]
+def scenes_of(sitting: Sitting) -> list[Scene]:
     """Return the room at the start and after each step."""
     return [sitting.start.scene, *(step.event.scene for step in sitting.steps)]
 

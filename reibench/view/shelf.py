@@ -45,28 +45,6 @@ def shelf(
         _model(entry, fetching.get(entry.model.name), chosen=chosen, ready=ready)
         for entry in models
     ]
-    variants = [
-        element(
-            "label",
-            element(
-                "input", type="radio", name="method", value=name, checked=name == method,
-                data_choose="method",
-            ),
-            element(
-                "span",
-                element("b", text(METHOD_NAMES[name])),
-                element("small", text(METHOD_NOTES[name])),
-            ),
-            class_="option",
-        )
-        for name in METHOD_NAMES
-    ]  # fmt: skip
-    keys = element(
-        "label",
-        element("input", type="checkbox", data_do="keys", id="single-keys", checked=True),
-        element("span", element("b", "Single-letter keys"), element("small", "E, N, P, / and V")),
-        class_="option",
-    )
     close = element(
         "button", "×", type="button", class_="btn icon quiet", data_do="close", aria_label="Close"
     )
@@ -77,14 +55,41 @@ def shelf(
         element("h3", "Language model", class_="label"),
         *rows,
         element("h3", "How TOCC rewrites", class_="label"),
-        *variants,
+        *_variants(method),
         element("h3", "Keys", class_="label"),
-        keys,
+        _keys(),
         class_="sheet",
         role="dialog",
         aria_label="Models and settings",
         id="shelf",
     )
+
+
+def _variants(method: str) -> list[str]:
+    """Return the ways TOCC can be done, as one choice."""
+    return [
+        element(
+            "label",
+            _radio("method", name, checked=name == method),
+            element(
+                "span",
+                element("b", text(METHOD_NAMES[name])),
+                element("small", text(METHOD_NOTES[name])),
+            ),
+            class_="option",
+        )
+        for name in METHOD_NAMES
+    ]
+
+
+def _keys() -> str:
+    box = element("input", type="checkbox", data_do="keys", id="single-keys", checked=True)
+    words = element("b", "Single-letter keys") + element("small", "E, N, P, / and V")
+    return element("label", box, element("span", words), class_="option")
+
+
+def _radio(what: str, value: str, *, checked: bool) -> str:
+    return element("input", type="radio", name=what, value=value, checked=checked, data_choose=what)
 
 
 def _model(entry: Shelved, fetching: Fetching | None, *, chosen: str, ready: bool) -> str:
@@ -97,10 +102,7 @@ def _model(entry: Shelved, fetching: Fetching | None, *, chosen: str, ready: boo
         element("small", text(model.note)),
     )
     if entry.present:
-        radio = element(
-            "input", type="radio", name="model", value=model.name, checked=model.name == chosen,
-            data_choose="model",
-        )  # fmt: skip
+        radio = _radio("model", model.name, checked=model.name == chosen)
         words = "ready" if ready and model.name == chosen else "here"
         state = element("span", element("span", class_="dotst good"), words, class_="small state")
     else:

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from reibench.episode import Episode
 from reibench.rollout import Step
+from reibench.skill import Skill
 from reibench.view.actor_panel import WAITING, record_of
 from reibench.view.alignment import Row, align, first_difference
 from reibench.view.dialogue import utterance_text
@@ -66,12 +67,12 @@ def side_by_side(
     )
 
 
-def _skills(run: Sitting | None) -> list:  # type: ignore[type-arg]
+def _skills(run: Sitting | None) -> list[Skill]:
     return [step.decision.skill for step in run.steps] if run else []
 
 
 def _head(episode: Episode, method: str, *, begun: bool, running: bool) -> str:
-    title = element("h1", f"One instruction, without and with {text(method)}")
+    title = element("h2", f"One instruction, without and with {text(method)}")
     if running:
         controls = [element("button", "Stop", type="button", class_="btn stop", data_do="stop")]
     elif not begun:

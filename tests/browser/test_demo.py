@@ -79,6 +79,10 @@ def test_everything_can_be_done_with_the_keyboard_alone(visit):
     keys.press("Escape")
     expect(demo.page.locator(".menu")).to_have_count(0)
     expect(demo.page.locator(".wide-plan [data-oid]:focus")).to_have_count(1)
+    keys.press("Enter")
+    keys.press("Enter")
+    demo.wait_for_step(2)
+    expect(demo.page.locator(".wide-plan [data-oid]:focus")).to_have_count(1)
     keys.press("Control+Enter")
     expect(demo.page.locator(".verdict strong")).to_have_text("Not carried out.")
 

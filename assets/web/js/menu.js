@@ -1,9 +1,12 @@
 // Choosing a thing: a menu of the skills that act on it, the likely ones first.
+import { isBusy } from "./bus.js";
 import { carryOut, field, filterBy, likelySkills, refresh, skillsOf } from "./picker.js";
 import { endedDrag, focusSpot, middle, nearestSpot, plan } from "./plan.js";
 import { isNarrow, onChange, run } from "./page.js";
 
 let opener = null;
+let byKey = false; // whether the menu was opened from the keyboard
+let returnTo = ""; // id of the thing that gets the focus back after the step
 let beside = ""; // id of the thing whose neighbours the strip lists
 
 const baseType = (spot) => spot.dataset.type.replace(/(Sliced|Cracked)$/, "");
@@ -110,6 +113,7 @@ document.addEventListener("click", (event) => {
   const item = event.target.closest?.(".menu [data-skill]");
   if (item) {
     const text = item.dataset.skill;
+    returnTo = byKey ? (opener?.dataset.oid ?? "") : "";
     close();
     carryOut(text);
     return;
@@ -124,6 +128,7 @@ document.addEventListener("click", (event) => {
     return;
   }
   event.preventDefault();
+  byKey = false;
   if (spot.closest(".plan")) showSurface(spot);
   open(spot);
 });
@@ -132,6 +137,7 @@ document.addEventListener("keydown", (event) => {
   const spot = event.target.closest?.(".room.live .plan [data-oid][data-type]");
   if (spot && (event.key === "Enter" || event.key === " ")) {
     event.preventDefault();
+    byKey = true;
     open(spot);
     return;
   }
@@ -176,4 +182,9 @@ onChange(() => {
     if (spot) showSurface(spot);
   }
   if (opener && !opener.isConnected) close();
+  if (returnTo && !isBusy()) {
+    const spot = plan()?.querySelector(`[data-oid="${returnTo}"]`);
+    returnTo = "";
+    if (spot) focusSpot(spot);
+  }
 });

@@ -1,0 +1,36 @@
+"""The script that stands in for a model."""
+
+import pytest
+
+from reibench.backends import Prompt
+from reibench.backends.opening import open_backend
+from reibench.backends.scripted import ScriptedBackend
+from reibench.errors import ModelUnavailable, ReibenchError
+
+
+def test_it_answers_in_turn_and_keeps_the_prompts():
+    script = ScriptedBackend(["find a mug", "Bring the mug."])
+    assert script.choose(Prompt("Robot:"), [" find a mug", " done"]).text == " find a mug"
+    assert script.generate(Prompt("Again?")).text == "Bring the mug."
+    assert [prompt.text for prompt in script.prompts] == ["Robot:", "Again?"]
+
+
+def test_it_reads_a_file_with_an_answer_a_line(tmp_path):
+    (tmp_path / "plan.txt").write_text("find a mug\n\ndone\n")
+    script = open_backend(f"scripted:{tmp_path / 'plan.txt'}")
+    assert [script.generate(Prompt("")).text for _ in range(2)] == ["find a mug", "done"]
+
+
+def test_an_empty_script_says_so():
+    with pytest.raises(ReibenchError, match="no answer left after 0"):
+        ScriptedBackend([]).generate(Prompt("Robot:"))
+
+
+def test_an_answer_that_is_no_option_is_named():
+    with pytest.raises(ReibenchError, match="'fly', which is none of the 1 options"):
+        ScriptedBackend(["fly"]).choose(Prompt("Robot:"), [" done"])
+
+
+def test_a_missing_script_is_named(tmp_path):
+    with pytest.raises(ModelUnavailable, match="cannot be read"):
+        open_backend(f"scripted:{tmp_path / 'absent.txt'}")
