@@ -16,8 +16,8 @@ from reibench.worlds import Event
 
 HEADER = """\
 A robot works in a home. A human asks it for something, and it tells, in order, each of the \
-actions that do it: it goes to a thing with "find" before it uses it, and has one hand. It says \
-"done" at the end.
+actions that do it: it goes to a thing with "find" before it uses it, and has one hand. If an \
+action failed, it does what was missing and tries again. It says "done" at the end.
 """
 PREVIOUS = "Human previous inquiry (not required to execute): "
 PENDING = "Human pending instruction: "

@@ -14,8 +14,8 @@ from reibench.view.words import name, states
 
 SHOWN = 5
 """A fuller tray shows this many and counts the rest."""
-_ITEM = 26.0
-_TALL = 46.0
+_ITEM, _TALL = 26.0, 46.0
+"""Pixels an item is wide and a tray tall, where icons are 25 pixels."""
 
 
 def trays(scene: Scene, layout: Layout) -> tuple[str, list[Rect]]:
@@ -59,9 +59,11 @@ def _free_place(
 ) -> Rect:
     """Return where a tray hides least, as near as may be to what it belongs to."""
     canvas = layout.canvas
+    grown = canvas.size.icon / 25
+    tall = _TALL * grown
     shown = min(count, SHOWN) + (1 if count > SHOWN else 0)
     title = f"in the {name(owner.type)}"
-    width = max(_ITEM * shown, 5.9 * len(title)) + 16
+    width = (max(_ITEM * shown, 5.9 * len(title)) + 20) * grown
     things = [
         Rect(spot.x - spot.radius, spot.y - spot.radius, 2 * spot.radius, 2 * spot.radius)
         for spot in layout.spots.values()
@@ -72,13 +74,13 @@ def _free_place(
         if appearance(thing).drawn_as == "silhouette" and thing.type != "Floor"
     ]
     floor = canvas.floor.grown(-3)
-    best, least = Rect(floor.x, floor.y, width, _TALL), math.inf
+    best, least = Rect(floor.x, floor.y, width, tall), math.inf
     for distance in range(40, 240, 16):
         for step in range(24):
             angle = step * math.pi / 12
             x = anchor[0] + distance * math.cos(angle) - width / 2
-            y = anchor[1] + distance * math.sin(angle) - _TALL / 2
-            area = Rect(x, y, width, _TALL)
+            y = anchor[1] + distance * math.sin(angle) - tall / 2
+            area = Rect(x, y, width, tall)
             if not area.lies_in(floor):
                 continue
             cost = 0.35 * distance
@@ -97,10 +99,13 @@ def _tray(
     area: Rect,
     scene: Scene,
 ) -> str:
+    grown = area.height / _TALL
     drawn = [
         line(anchor[0], anchor[1], area.cx, area.cy, "stem"),
         rect(area, "traybox", 8),
-        label(area.x + 8, area.y + 14, f"in the {name(owner.type)}", "strong", "start"),
+        label(
+            area.x + 8 * grown, area.y + 14 * grown, f"in the {name(owner.type)}", "strong", "start"
+        ),
     ]
     shown = items if len(items) <= SHOWN else items[:SHOWN]
     for index, thing in enumerate(shown):
@@ -111,8 +116,8 @@ def _tray(
             hotspot(thing, scene, hit, picture(thing, 22, x, y), *marks, kind="thing kept")
         )
     if len(items) > SHOWN:
-        x = area.x + 12 + _ITEM * SHOWN
-        drawn.append(label(x, area.y + 34, f"+{len(items) - SHOWN}", "strong", "start"))
+        x = area.x + (12 + _ITEM * SHOWN) * grown
+        drawn.append(label(x, area.y + 34 * grown, f"+{len(items) - SHOWN}", "strong", "start"))
     return element("g", *drawn, class_="tray")
 
 

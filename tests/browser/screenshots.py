@@ -104,11 +104,11 @@ def planners(browser: Browser, address: str, episodes: Sequence[str]) -> str:
 
 
 def main() -> None:
-    """Take all pictures, or only those without a language model."""
+    """Take all pictures, or only those of a person (no language model) or of planners (one)."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--model", default="", help="for the side by side; the best one if empty")
     parser.add_argument("--episodes", default=EPISODE, help="to try for it, with commas")
-    parser.add_argument("--without-model", action="store_true", help="leave the side by side out")
+    parser.add_argument("--only", choices=("person", "planners"), help="leave the others out")
     given = parser.parse_args()
     FOLDER.mkdir(parents=True, exist_ok=True)
     with (
@@ -116,8 +116,9 @@ def main() -> None:
         serving.app(Path(folder) / "demo.db", model=given.model) as address,
         serving.browser() as browser,
     ):
-        person(browser, address, expert_skills(EPISODE))
-        if not given.without_model:
+        if given.only != "planners":
+            person(browser, address, expert_skills(EPISODE))
+        if given.only != "person":
             planners(browser, address, given.episodes.split(","))
 
 
