@@ -17,27 +17,11 @@ from reibench.backends.opening import open_backend
 from reibench.dataset.files import shipped_episodes
 from reibench.errors import ReibenchError
 from reibench.pages import demo
+from reibench.pages.head import HEAD
 from reibench.sittings import Sittings
 from reibench.store import Store
 
 WEB = Path(__file__).parent / "assets" / "web"
-STYLES = ("tokens", "page", "plan", "side_by_side", "phone")
-THEME = """<script>
-(() => {
-  let kept = "";
-  try { kept = JSON.parse(localStorage.getItem("reibench-settings") || "{}").theme } catch {}
-  const dark = matchMedia("(prefers-color-scheme:dark)").matches;
-  document.documentElement.dataset.theme = kept || (dark ? "dark" : "light");
-})();
-</script>"""
-"""Set before the first paint, so that nothing flashes."""
-HEAD = "\n".join(
-    [
-        THEME,
-        *(f'<link rel="stylesheet" href="/web/css/{name}.css">' for name in STYLES),
-        '<script type="module" src="/web/js/main.js"></script>',
-    ]
-)
 
 
 def make_app(database: str, model: str = "") -> FastAPI:
@@ -47,8 +31,9 @@ def make_app(database: str, model: str = "") -> FastAPI:
     app.mount("/web", StaticFiles(directory=WEB), name="web")
     page = demo.build(sittings, model=model)
     return gr.mount_gradio_app(
-        app, page, path="/", head=HEAD, footer_links=[], run_history=False, enable_monitoring=False
-    )
+        app, page, path="/", head=HEAD, favicon_path=WEB / "favicon.svg", footer_links=[],
+        run_history=False, enable_monitoring=False,
+    )  # fmt: skip
 
 
 def listen(host: str, port: int) -> socket.socket:
@@ -56,8 +41,9 @@ def listen(host: str, port: int) -> socket.socket:
     try:
         return socket.create_server((host, port))
     except (OSError, OverflowError) as problem:
+        why = getattr(problem, "strerror", "") or problem
         raise ReibenchError(
-            f"Cannot serve on {host}, port {port}: {getattr(problem, 'strerror', '') or problem}. Stop what uses it, or choose another"
+            f"Cannot serve on {host}, port {port}: {why}. Stop what uses it, or choose another port"
             " with --port."
         ) from problem
 

@@ -6,8 +6,10 @@ import sys
 from pathlib import Path
 
 import pytest
+from filelock import FileLock
 
 from reibench.__main__ import main
+from reibench.run import RunSpec
 from reibench.skill import DONE
 
 ROOT = Path(__file__).parents[1]
@@ -123,6 +125,16 @@ def test_listing_episodes_follows_the_choice(call):
 def test_check_dataset_confirms_the_shipped_episodes(call):
     status, out, _ = call("check-dataset")
     assert (status, out) == (0, "54 of 54 episodes are sound and solvable.\n")
+
+
+def test_the_same_run_twice_at_once_is_refused(call, tmp_path):
+    spec = RunSpec(planner="expert").versioned()
+    with FileLock(f"{tmp_path / 'records.db'}.{spec.id}.lock"):
+        status, _, err = call("run", "--planner", "expert", "--limit", "1")
+        assert status == 2
+        assert "already going on in another process" in err
+    status, _, _ = call("run", "--planner", "expert", "--limit", "1")
+    assert status == 0
 
 
 def test_a_killed_run_resumes_without_repeating(tmp_path):

@@ -1,7 +1,12 @@
 """`run`: let a planner play episodes."""
 
 from argparse import ArgumentParser, Namespace
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
 from time import perf_counter
+
+from filelock import FileLock, Timeout
 
 from reibench.backends import Backend
 from reibench.backends.opening import open_backend
@@ -9,6 +14,7 @@ from reibench.commands.options import add_database, add_episodes, add_json, chos
 from reibench.commands.output import tell
 from reibench.commands.scoring import print_scores
 from reibench.episode import Episode
+from reibench.errors import ReibenchError
 from reibench.models import best_present
 from reibench.rollout import MAX_STEPS
 from reibench.run import RunSpec, evaluate, make_world, needs_model
@@ -57,9 +63,25 @@ def run_command(arguments: Namespace) -> int:
     store = Store(arguments.db)
     backend = open_backend(specs[0].model) if specs[0].model else None
     for spec in specs:
-        _run(spec, chosen, backend, store)
+        with _alone(spec, store):
+            _run(spec, chosen, backend, store)
     ids = {spec.id for spec in specs}
     return print_scores(arguments, store, ids)
+
+
+@contextmanager
+def _alone(spec: RunSpec, store: Store) -> Iterator[None]:
+    """Keep a second process off the same run: it would begin again what this one is playing."""
+    lock = FileLock(f"{store.path}.{spec.id}.lock", blocking=False)
+    try:
+        with lock:
+            yield
+        Path(lock.lock_file).unlink(missing_ok=True)
+    except Timeout:
+        raise ReibenchError(
+            f"Run {spec.id} ({spec.actor}) is already going on in another process; wait for it, or"
+            " name another database with --db."
+        ) from None
 
 
 def _run(spec: RunSpec, chosen: list[Episode], backend: Backend | None, store: Store) -> None:

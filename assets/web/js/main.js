@@ -240,5 +240,5 @@ document.addEventListener("pointerover", (event) => {
 });
 
 setTheme(wanted());
-root.classList.toggle("show-re", recall("marks", true));
+root.classList.toggle("show-re", recall("marks", false));
 window.addEventListener("load", () => setTheme(wanted()));
