@@ -9,7 +9,7 @@ from pathlib import Path
 from threading import Lock
 from time import perf_counter
 from typing import Any
-from urllib.request import Request, urlopen
+from urllib.request import ProxyHandler, Request, build_opener
 
 from reibench import models
 from reibench.backends import Backend, Generation, Prompt, Selection, Usage, backends
@@ -24,6 +24,9 @@ OPTION_ENDS = (",", ".", "\n")
 """What may follow a whole option, where another option goes on."""
 BIAS = 200.0
 """Lifts the allowed tokens above all others; the softmax of the rest is then 0 in single floats."""
+
+DIRECT = build_opener(ProxyHandler({}))
+"""Speaks to this process's own loopback port, which no proxy of the user's could reach."""
 
 log = logging.getLogger(__name__)
 
@@ -138,7 +141,7 @@ class LlamaCpp:
         body = json.dumps(content).encode()
         address = self._running().listening_address + path
         request = Request(address, body, {"Content-Type": "application/json"})
-        with urlopen(request) as response:
+        with DIRECT.open(request) as response:
             answer: dict[str, Any] = json.load(response)
         return answer
 

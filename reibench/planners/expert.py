@@ -10,14 +10,16 @@ from reibench.episode import Goal, TaskType
 from reibench.methods import Instruction
 from reibench.planners import Decision, Plan, planners
 from reibench.scene import SceneObject
-from reibench.skill import Skill, Verb
+from reibench.skill import PICKABLE, Skill, Verb
 from reibench.worlds import Event
 
 Moves: TypeAlias = Generator[Skill, Event, None]
 PLACES_TRIED = 6
 """How many receptacles of the wanted type are tried before giving up on a full one."""
+THINGS_MOVED = 2
+"""How many things are taken out of a full receptacle at most."""
 SOMEWHERE = ("CounterTop", "DiningTable", "SideTable", "CoffeeTable", "Desk", "Dresser", "Shelf")
-"""Where to leave the knife after slicing, in order of preference."""
+"""Where to leave what is in the way, in order of preference."""
 
 
 @planners.register("expert")
@@ -78,6 +80,10 @@ class Expert:
     def _go_to(self, name: str) -> Moves:
         """Go to a `name`, and open what it is shut in."""
         yield from self._do(Verb.FIND, name)
+        yield from self._uncover(name)
+
+    def _uncover(self, name: str) -> Moves:
+        """Open what the `name` gone to is shut in, if it is."""
         if next(self._seen(name), None) is not None:
             return
         scene = self._event.scene
@@ -92,14 +98,46 @@ class Expert:
         yield from self._do(Verb.PICK_UP, name)
 
     def _put(self, carried: str, receptacle: str) -> Moves:
-        """Put what is carried into some `receptacle`, trying the next where one is full."""
-        for _ in range(PLACES_TRIED):
-            yield from self._do(Verb.FIND, receptacle)
+        """Put what is carried into some `receptacle`; make room where all are full."""
+        yield from self._try_each(carried, receptacle)
+        if not self._event.success and self._event.scene.held is not None:
+            yield from self._make_room(carried, receptacle)
+
+    def _try_each(self, carried: str, receptacle: str) -> Moves:
+        """Try one `receptacle` after another until the thing is put."""
+        for _ in range(min(PLACES_TRIED, len(self._event.scene.of_type(receptacle)))):
+            yield from self._go_to(receptacle)
             if any(thing.openable and not thing.open for thing in self._seen(receptacle)):
                 yield from self._do(Verb.OPEN, receptacle)
             yield from self._do(Verb.PUT_DOWN, carried)
             if self._event.success:
                 return
+
+    def _make_room(self, carried: str, receptacle: str) -> Moves:
+        """Leave what is carried elsewhere, take something out of a `receptacle`, and try again."""
+        scene = self._event.scene
+        spare = next((p for p in SOMEWHERE if p != receptacle and scene.of_type(p)), None)
+        if spare is None:
+            return
+        yield from self._try_each(carried, spare)
+        for _ in range(THINGS_MOVED):
+            yield from self._go_to(receptacle)
+            in_the_way = next(self._contents(receptacle, carried), None)
+            if in_the_way is None:
+                break
+            yield from self._do(Verb.PICK_UP, in_the_way)
+            yield from self._try_each(in_the_way, spare)
+        yield from self._fetch(carried)
+        yield from self._try_each(carried, receptacle)
+
+    def _contents(self, receptacle: str, carried: str) -> Iterator[str]:
+        """Yield the types of what can be taken out of a visible `receptacle` or its basin."""
+        scene = self._event.scene
+        for name in (receptacle, f"{receptacle}Basin"):
+            for place in self._seen(name):
+                for thing in map(scene.by_id.get, place.contents or ()):
+                    if thing and thing.type in PICKABLE and thing.type != carried:
+                        yield thing.type
 
     def _heat(self, name: str) -> Moves:
         yield from self._put(name, "Microwave")

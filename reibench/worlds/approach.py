@@ -7,6 +7,11 @@ from reibench.scene import Pose, SceneObject, Vector
 CAMERA_HEIGHT = 1.58
 """Metres above the floor; AI2-THOR's standing agent."""
 
+CLOSE_ENOUGH = 1.0
+"""Metres: from here the robot need not move to something it sees (LoTA-Bench)."""
+REACH = 1.5
+"""Metres: AI2-THOR's visibility distance."""
+
 
 def nearest_point(place: Vector, thing: SceneObject) -> tuple[float, float]:
     """Return the point (x, z) of the thing's footprint nearest to `place`."""

@@ -9,19 +9,16 @@ from collections.abc import Callable, Sequence
 from reibench.episode import Task
 from reibench.goals import Treatments, check
 from reibench.household.objects import object_type
-from reibench.scene import Pose, SceneObject, Vector
+from reibench.scene import SceneObject
 from reibench.skill import SKILLS, Skill, Verb
 from reibench.worlds import Event
-from reibench.worlds.approach import distance, facing
+from reibench.worlds.approach import CLOSE_ENOUGH, distance
+from reibench.worlds.moving import Legs
 from reibench.worlds.rules import Reason, Refused, Rules
 from reibench.worlds.setup import prepare
 from reibench.worlds.simulator import Simulator
 from reibench.worlds.treating import treat
 
-CLOSE_ENOUGH = 1.0
-"""Metres: from here the robot need not move to something it sees (LoTA-Bench)."""
-POSES_TRIED = 20
-"""How many of the nearest free places `find` tries (LoTA-Bench)."""
 KNIVES = frozenset({"Knife", "ButterKnife"})
 BASIN_OF = {"Sink": "SinkBasin", "Bathtub": "BathtubBasin"}
 
@@ -50,16 +47,21 @@ class ThorWorld:
         self._place = ""
         self._visited: list[str] = []
         self._treatments = Treatments()
-        self._nearest: dict[Vector, list[Vector]] = {}
+        self._legs = Legs(self._simulator)
         prepare(self._simulator, task.setup)
         self._scene = self._simulator.scene()
         return self._event(success=True)
 
     def step(self, skill: Skill) -> Event:
         """Carry out `skill`; refusals are events."""
+        before = self._scene.agent
         try:
             self._handlers[skill.verb](skill)
         except Refused as refused:
+            if self._simulator.scene().agent != before:
+                self._legs.stand(
+                    before
+                )  # the robot turned to look: a refused skill changes nothing
             self._scene = self._simulator.scene()
             self._forget_place(skill)
             return self._event(success=False, message=self._rules.say(skill, refused))
@@ -112,7 +114,7 @@ class ThorWorld:
         else:
             self._visited.clear()
         thing = min(things, key=self._effort)
-        self._go_to(thing)
+        self._legs.go_to(self._scene, thing)
         self._acted_on = thing
         self._place = thing.id
         self._visited.append(thing.id)
@@ -131,40 +133,13 @@ class ThorWorld:
             effort += 10_000
         return effort - (100 if thing.type.endswith(("Sliced", "Cracked")) else 0)
 
-    def _go_to(self, thing: SceneObject) -> None:
-        """Stand where `thing`, or the closed container it is in, can be seen."""
-        goal = self._scene.closed_around(thing) or thing
-        before = self._scene.agent
-        if goal.id in self._scene.visible and distance(before.position, goal) < CLOSE_ENOUGH:
-            return
-        for place in self._places_near(goal):
-            pose = facing(place, goal)
-            if self._teleport(pose) and self._simulator.sees(goal.id):
-                return
-        self._teleport(before)
-        raise Refused(Reason.UNREACHABLE)
-
-    def _places_near(self, thing: SceneObject) -> list[Vector]:
-        center = thing.box.center
-        if center not in self._nearest:
-            ranked = sorted(self._simulator.reachable(), key=lambda place: distance(place, thing))
-            self._nearest[center] = ranked[:POSES_TRIED]
-        return self._nearest[center]
-
-    def _teleport(self, pose: Pose) -> bool:
-        return self._simulator.act(
-            "Teleport",
-            position={"x": pose.position.x, "y": pose.position.y, "z": pose.position.z},
-            rotation={"x": 0.0, "y": pose.yaw, "z": 0.0},
-            horizon=pose.horizon,
-            standing=pose.standing,
-        ).success
-
     def _in_reach(
         self, things: Sequence[SceneObject], *, ready: Callable[[SceneObject], bool] | None = None
     ) -> SceneObject:
         """Return the instance meant: the one gone to, else the nearest to it that is `ready`."""
         seen = [thing for thing in things if thing.id in self._scene.visible and not thing.held]
+        if not seen and (beside := self._legs.turn_to(self._scene, things)):
+            return beside
         if seen:
             place = self._scene.by_id.get(self._place)
             gone_to = {self._place}
@@ -218,13 +193,16 @@ class ThorWorld:
         place = self._scene.by_id.get(self._place)
         if place is None or place.held:
             raise Refused(Reason.NO_PLACE)
+        kinds = {place.type}
         place = self._basin(place)
+        kinds.add(place.type)
         if not place.receptacle:
             raise Refused(Reason.NOT_A_PLACE, place)
-        if place.id not in self._scene.visible:
+        if place.id not in self._scene.visible and self._legs.turn_to(self._scene, [place]) is None:
             container = self._scene.closed_around(place)
             raise Refused(Reason.CLOSED if container else Reason.NO_PLACE, container)
-        if not self._rules.places_anything and not object_type(held.type).belongs(place.type):
+        belongs = object_type(held.type).belongs
+        if not self._rules.places_anything and not any(map(belongs, kinds)):
             raise Refused(Reason.NOT_ALLOWED, place)
         self._act(
             "PutObject",

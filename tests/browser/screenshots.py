@@ -63,6 +63,7 @@ def person(browser: Browser, address: str, skills: Sequence[str]) -> None:
         page = visit(browser, wanted, color_scheme=scheme)
         if not suffix:
             save(page, "start")
+        page.click("[data-do=marks]")
         middle = next(at for at, skill in enumerate(skills) if skill.startswith("put down"))
         act(page, [*skills[: middle - 1], "open the fridge", skills[middle - 1]])
         page.hover(".wide-plan [data-type=Apple]")

@@ -169,3 +169,30 @@ def test_the_two_rules_differ_only_where_the_table_says():
                      "failed_put_down_drops", "places_anything")
         if getattr(STRICT, name) == getattr(OFFICIAL, name)
     } == set()  # fmt: skip
+
+
+def test_the_robot_turns_to_what_stands_beside_it(episodes, click):
+    """A fork at the far end of the sink is out of view from the sink's nearest edge."""
+    rollout = click(
+        episodes["clean_lettuce.mixed-short"],
+        *("find a fork", "open the drawer", "pick up the fork", "find a sink"),
+        *("put down the fork", "turn on the faucet", "pick up the fork"),
+    )
+    assert last(rollout).success
+
+
+def test_turning_in_vain_is_undone(episode, click):
+    rollout = click(episode, "find a tomato", "pick up the tomato", "find a microwave")
+    before = last(rollout).scene
+    rollout.step(Decision(parse_skill("put down the tomato")))
+    assert not last(rollout).success
+    assert last(rollout).scene == before
+
+
+def test_what_may_go_into_a_sink_may_go_into_its_basin(episodes, click):
+    rollout = click(
+        episodes["clean_lettuce.mixed-short"],
+        *("find a soap bottle", "pick up the soap bottle", "find a sink"),
+        "put down the soap bottle",
+    )
+    assert last(rollout).success
