@@ -86,6 +86,25 @@ def score_report(rows: list[dict[str, Any]], by: str) -> str:
     return "\n\n".join(parts)
 
 
+def score_markdown(rows: list[dict[str, Any]], by: str) -> str:
+    """Return a Markdown table: groups and totals down, runs across, solved of played in cells."""
+    groups = list(dict.fromkeys(group[by] for row in rows for group in row[f"by_{by}"]))
+    lines = [
+        f"| {by} | " + " | ".join(row["actor"] for row in rows) + " |",
+        "|---" * (len(rows) + 1) + "|",
+    ]
+    for name in groups:
+        cells = [
+            next((f"{g['success']}/{g['episodes']}" for g in row[f"by_{by}"] if g[by] == name), "–")
+            for row in rows
+        ]
+        lines.append(f"| {name} | " + " | ".join(cells) + " |")
+    for name, title in TITLES.items():
+        cells = [f"{_rate(row, name).strip()}" for row in rows]
+        lines.append(f"| **{title}** | " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
 def _rate(row: dict[str, Any], name: str) -> str:
     if not row["episodes"]:
         return "–"

@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import pytest
 
-from reibench.report import score_report, score_rows
+from reibench.report import score_markdown, score_report, score_rows
 from reibench.run import RunSpec, evaluate
 from reibench.score import paired, records_frame, sign_test, summarise, wilson
 from reibench.worlds import worlds
@@ -65,6 +65,13 @@ def test_underdetermined_episodes_are_shown_apart(scored):
     expert = score_rows(scored, None, "level")[0]
     assert (expert["episodes"], expert["determined_only"]["episodes"]) == (9, 8)
     assert "without 1 underdetermined: success   8 of 8" in score_report([expert], "level")
+
+
+def test_scores_make_a_markdown_table(scored):
+    lines = score_markdown(score_rows(scored, None, "level"), "level").splitlines()
+    assert lines[0] == "| level | expert | saycan+none/scripted:done |"
+    assert "| mixed-noised | 1/1 | 0/1 |" in lines
+    assert lines[-1].startswith("| **breakdown** | 0 of 9")
 
 
 def test_nothing_run_yet_is_said(store):

@@ -10,6 +10,7 @@ from reibench.store import Store
 def add(command: ArgumentParser) -> None:
     """Add the command's options."""
     command.add_argument("--by", default="level", choices=("level", "task_type", "room"))
+    command.add_argument("--markdown", action="store_true", help="print a Markdown table")
     add_database(command)
     add_json(command)
     command.set_defaults(command=score_command)
@@ -24,12 +25,14 @@ def score_command(arguments: Namespace) -> int:
 def print_scores(arguments: Namespace, store: Store, runs: set[str] | None) -> int:
     """Print the scores of these runs, or of all."""
     # pandas takes half a second to import, and most commands never score.
-    from reibench.report import score_report, score_rows
+    from reibench.report import score_markdown, score_report, score_rows
 
     by = getattr(arguments, "by", "level")
     rows = score_rows(store, runs, by)
     if arguments.json:
         say_json(rows)
+    elif getattr(arguments, "markdown", False):
+        say(score_markdown(rows, by))
     else:
         say(score_report(rows, by))
     return 0
