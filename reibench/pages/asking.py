@@ -8,6 +8,8 @@ from typing import Any
 from reibench.view.topbar import ACTORS, METHOD_NAMES, Actor
 
 _TOKEN_LENGTH = 22
+DEFAULT_METHOD = "tocc-span"
+"""The paper's free rewrite wants a larger model than those that come along (see the README)."""
 
 
 @dataclass(frozen=True)
@@ -25,7 +27,7 @@ class Ask:
     """From the moment the page was shown to the choice, by the browser's clock."""
     skill: str = ""
     model: str = ""
-    method: str = "tocc"
+    method: str = DEFAULT_METHOD
     solution: bool = False
     """Whether the expert's steps are shown."""
     as_actor: Actor | None = None
@@ -53,7 +55,7 @@ class Ask:
             seconds=float(seconds) if isinstance(seconds, int | float) and seconds >= 0 else None,
             skill=_word(data.get("skill")),
             model=_word(data.get("model")),
-            method=_word(data.get("method")) if data.get("method") in METHOD_NAMES else "tocc",
+            method=next((m for m in METHOD_NAMES if m == data.get("method")), DEFAULT_METHOD),
             solution=data.get("solution") is True,
             as_actor=actor_called(data.get("as")),
             kind=_word(data.get("kind")),

@@ -122,7 +122,8 @@ class Showing:
             return ModelStatus(name, "loads when first asked", "warn")
         if sitting is None or not sitting.steps:
             return ModelStatus(name, "ready")
-        pace = sum(step.seconds for step in sitting.steps) / len(sitting.steps)
+        # What the model took, not the clock: side by side, each planner waits for the other.
+        pace = sum(step.decision.usage.seconds for step in sitting.steps) / len(sitting.steps)
         return ModelStatus(name, f"ready · {pace:.1f} s a step")
 
     def model_of(self, ask: Ask) -> str:

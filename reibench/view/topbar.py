@@ -18,7 +18,7 @@ ACTOR_NAMES: dict[Actor, str] = {
     "tocc": "Model + TOCC",
     "side": "Side by side",
 }
-METHOD_NAMES = {"tocc": "TOCC", "tocc-span": "TOCC (spans)"}
+METHOD_NAMES = {"tocc": "TOCC", "tocc-span": "TOCC-span"}
 """Variants of TOCC a visitor can choose, and what the page calls them."""
 
 _LOGO = (

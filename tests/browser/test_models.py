@@ -51,8 +51,18 @@ def scripted(chromium, solution, tmp_path_factory):
         yield address
 
 
+def rewrite_freely(demo):
+    """Choose the paper's TOCC on the shelf."""
+    demo.page.click(".pill")
+    demo.page.locator("#shelf input[value='tocc']").check()
+    demo.settled()
+    demo.page.keyboard.press("Escape")
+    expect(demo.page.locator("#shelf")).to_be_hidden()
+
+
 def test_two_runs_are_shown_side_by_side_and_played(visit, scripted, solution):
     demo = visit(f"?episode={EPISODE}&actor=side", address=scripted)
+    rewrite_freely(demo)
     page = demo.page
     page.click("#sbs [data-do=watch]")
     expect(page.locator("#sbs.over")).to_be_visible()
@@ -96,9 +106,10 @@ def test_the_shelf_tells_which_models_are_here(visit):
     shelf = demo.page.locator("#shelf")
     expect(shelf).to_be_visible()
     expect(shelf).to_contain_text("gemma-3-270m")
-    demo.page.locator("#shelf input[value='tocc-span']").check()
-    demo.settled()
     expect(demo.page.locator("#shelf input[value='tocc-span']")).to_be_checked()
+    demo.page.locator("#shelf input[value='tocc']").check()
+    demo.settled()
+    expect(demo.page.locator("#shelf input[value='tocc']")).to_be_checked()
     demo.page.keyboard.press("Escape")
     expect(shelf).to_be_hidden()
 
