@@ -8,7 +8,7 @@ from typing import Any
 import gradio as gr
 
 from reibench.errors import ReibenchError
-from reibench.pages.asking import Ask, actor_called, visitor_token
+from reibench.pages.asking import Ask, visitor_token
 from reibench.pages.showing import Links, Showing
 from reibench.sittings import Sittings
 from reibench.view.screens import Screen, frame, loading, picker_panel
@@ -99,7 +99,9 @@ class Demo:
         if episode not in self._sittings.episodes:
             current = self._sittings.current(token)
             episode = current.episode.id if current else self._showing.catalogue.first.id
-        ask = Ask(episode=episode, actor=actor_called(wanted.get("actor")) or "me")
+        ask = Ask.read(
+            {"episode": episode} | {k: wanted.get(k) for k in ("actor", "model", "method")}
+        )
         return (token, *answer(ask, self._showing.whole(token, ask)))
 
     def step(self, visitor: str, event: gr.EventData) -> Answer:

@@ -130,9 +130,9 @@ def test_expressions_and_names_can_be_shown_and_hidden(visit):
     demo = visit(HERE)
     page = demo.page
     vague = page.locator(".ask .re:not(.ex) sup").first
-    expect(vague).to_be_visible()
-    page.keyboard.press("e")
     expect(vague).to_be_hidden()
+    page.keyboard.press("e")
+    expect(vague).to_be_visible()
     page.keyboard.press("n")
     expect(page.locator(".wide-plan .names")).to_be_visible()
     page.keyboard.press("p")

@@ -1,6 +1,6 @@
 // The page's switchboard: buttons, keys, theme, address, and what follows each answer.
 import { isBusy, noteAnswer, send } from "./bus.js";
-import { announce, choice, isField, isNarrow, onChange, recall, remember, run } from "./page.js";
+import { announce, choice, isField, isNarrow, onChange, recall, remember, run, settings } from "./page.js";
 import { carryOut, field } from "./picker.js";
 import { zoomBy } from "./plan.js";
 import "./menu.js";
@@ -176,11 +176,14 @@ onChange(() => {
   noteAnswer();
   const { episode, actor } = choice();
   if (actor) root.dataset.actor = actor;
-  if (episode && `${episode} ${actor}` !== shown) {
-    shown = `${episode} ${actor}`;
+  const chosen = { episode, actor, ...settings() };
+  if (episode && JSON.stringify(chosen) !== shown) {
+    shown = JSON.stringify(chosen);
     const address = new URL(location.href);
-    address.searchParams.set("episode", episode);
-    address.searchParams.set("actor", actor);
+    for (const [name, value] of Object.entries(chosen)) {
+      if (value) address.searchParams.set(name, value);
+      else address.searchParams.delete(name);
+    }
     history.replaceState(null, "", address);
     root.dataset.setup = "";
     root.dataset.talk = "";
