@@ -50,7 +50,7 @@ def test_a_scripted_model_runs_from_the_command_line(call, tmp_path):
     _, out, err = call("run", "--model", model, "--episodes", "heat", "--limit", "3", "--json")
     [row] = json.loads(out)
     assert (row["episodes"], row["object_omission"]) == (3, 3)
-    assert "[3/3] heat_potato.implicit-standard: failure, object-omission, 0 steps" in err
+    assert "[3/3] heat_potato.mixed-short: failure, object-omission, 0 steps" in err
 
 
 @pytest.mark.parametrize(
@@ -120,6 +120,16 @@ def test_listing_skills_lists_all_214_choices(call):
 def test_listing_episodes_follows_the_choice(call):
     _, out, _ = call("list", "episodes", "--episodes", "stack,mixed", "--json")
     assert len(json.loads(out)) == 3
+
+
+def test_a_larger_limit_extends_a_smaller_one_and_both_vary_tasks_and_levels(call):
+    few, more = (
+        {row["episode"] for row in json.loads(call("list", "episodes", "--limit", n, "--json")[1])}
+        for n in ("6", "12")
+    )
+    assert few < more
+    assert len({name.split(".")[0] for name in few}) >= 5
+    assert len({name.split(".")[1] for name in few}) >= 5
 
 
 def test_check_dataset_confirms_the_shipped_episodes(call):

@@ -2,6 +2,7 @@
 
 import os
 from argparse import ArgumentParser, Namespace
+from math import sqrt
 from pathlib import Path
 
 from reibench.dataset.files import read_episodes, shipped_episodes
@@ -39,7 +40,9 @@ def chosen_episodes(arguments: Namespace) -> list[Episode]:
         raise ReibenchError(f"No episode is all of {arguments.episodes!r}.")
     if limit is None or limit >= len(chosen):
         return chosen
-    return [chosen[place * len(chosen) // limit] for place in range(limit)]
+    # Golden-ratio order: any first few are spread over tasks and levels, and more extend fewer.
+    spread = sorted(range(len(chosen)), key=lambda place: place * (sqrt(5) - 1) / 2 % 1)
+    return [chosen[place] for place in sorted(spread[:limit])]
 
 
 def existing_database(arguments: Namespace) -> Path:
