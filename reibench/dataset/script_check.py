@@ -4,9 +4,10 @@ import re
 from collections import Counter
 from collections.abc import Callable, Iterator
 
-from reibench.dataset.forms import names, says, unnamed_form
+from reibench.dataset.forms import names, says
+from reibench.dataset.grammar import agrees, text_problems
 from reibench.dataset.levels import derive
-from reibench.dataset.scripts import Mention, Script
+from reibench.dataset.scripts import Script
 from reibench.dialogue import LEVELS, Utterance, Vagueness
 from reibench.episode import TaskType
 from reibench.household.objects import object_types
@@ -15,12 +16,6 @@ TURNS = ("human", "robot") * 3 + ("human",)
 LEAST_WORDS = 20
 """In each turn of the standard context (appendix B.1)."""
 NAMED_IN_CONTEXT, UNNAMED_IN_CONTEXT, CUT = 3, 2, 2
-SINGULAR = frozenset(("it", "its", "this", "that", "one", "one of those", "one of these"))
-PLURAL = frozenset(("they", "them", "their", "these", "those", "both", "some"))
-TWICE = frozenset(("that", "had", "is", "no", "very", "so", "long", "bye", "knock", "now", "yes"))
-_SILENT_H = ("hour", "honest", "honour", "honor", "heir")
-_LIKE_Y = ("one", "once", "uni", "use", "usu", "eu", "ewe", "u-")
-_LETTERS = re.compile(r"[AEFHILMNORSX](?:[A-Z]|\b)")
 
 
 def script_problems(script: Script) -> list[str]:
@@ -154,50 +149,20 @@ def _leaks(script: Script) -> Iterator[str]:
 
 def _numbers(script: Script) -> Iterator[str]:
     for _, _, mention in script.mentions:
-        word = mention.unnamed.lower()
-        if not word or unnamed_form(word) != "pronoun" or "+" in mention.of:
+        if "+" in mention.of or mention.of == "destination" or not mention.unnamed:
             continue
-        plural = _is_plural(script, mention)
-        if word in (SINGULAR if plural else PLURAL):
+        if not agrees(mention.unnamed, mention.named, _objects(script)[mention.of]):
             yield f"{mention.unnamed!r} does not agree in number with {mention.named!r}"
-
-
-def _is_plural(script: Script, mention: Mention) -> bool:
-    known = names()[_objects(script)[mention.of]]
-    longest = next((word for word in known.words if says(mention.named, word)), "")
-    return longest in known.plural
 
 
 def _grammar(script: Script) -> Iterator[str]:
     seen = set()
     for episode in derive(script):
         for number, utterance in enumerate(episode.dialogue.utterances, start=1):
-            for complaint in _text_problems(utterance.text):
+            for complaint in text_problems(utterance.text):
                 if (number, complaint) not in seen:
                     seen.add((number, complaint))
                     yield f"turn {number} at {episode.vagueness}: {complaint}"
-
-
-def _text_problems(text: str) -> Iterator[str]:
-    for found in re.finditer(r"\b(\w+) \1\b", text, re.IGNORECASE):
-        if found[1].lower() not in TWICE:
-            yield f"{found[0]!r} is doubled"
-    for found in re.finditer(r"\b(an?) ([\w-]+)", text, re.IGNORECASE):
-        if (found[1].lower() == "an") != _sounds_like_a_vowel(found[2]):
-            yield f"{found[0]!r}: a or an"
-    for found in re.finditer(r"(?:^|(?<!Mr|Ms|Dr|St)(?<!Mrs)[.!?] )([a-z]\w*)", text):
-        yield f"{found[1]!r} begins a sentence small"
-    if odd := re.search(r" [,.;:!?]|\s\s|[“”’‘]|\.\.(?!\.)", text):
-        yield f"{odd[0]!r} is odd spacing or a curly quote"
-
-
-def _sounds_like_a_vowel(word: str) -> bool:
-    low = word.lower()
-    if low.startswith(_SILENT_H) or low in ("8", "11", "18") or low.startswith(("8", "11-", "18-")):
-        return True
-    if _LETTERS.match(word) and len(word) <= 3 and word.isupper():
-        return True
-    return low[0] in "aeiou" and not low.startswith(_LIKE_Y)
 
 
 def _omissions(script: Script) -> Iterator[str]:
