@@ -1,7 +1,9 @@
-"""Episode files: one JSON object a line, one line an episode."""
+"""Episode files: one JSON object a line, one line an episode, packed where called `.gz`."""
 
+import gzip
 import hashlib
 import json
+import zlib
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
@@ -104,8 +106,11 @@ def read_episodes(path: Path) -> list[Episode]:
         InvalidEpisode: with file and line, when a line is not a sound episode.
     """
     try:
-        lines = path.read_text(encoding="utf-8").splitlines()
-    except (OSError, UnicodeDecodeError) as problem:
+        content = path.read_bytes()
+        if path.suffix == ".gz":
+            content = gzip.decompress(content)
+        lines = content.decode().splitlines()
+    except (OSError, UnicodeDecodeError, EOFError, zlib.error) as problem:
         raise InvalidEpisode(f"The episode file {path} cannot be read: {problem}.") from problem
     episodes: dict[str, Episode] = {}
     for number, line in enumerate(lines, start=1):
@@ -126,9 +131,12 @@ def read_episodes(path: Path) -> list[Episode]:
 
 
 def write_episodes(path: Path, episodes: Iterable[Episode]) -> None:
-    """Write an episode file."""
+    """Write an episode file, packed if it is called `.gz`; the same episodes give the same file."""
     lines = [json.dumps(episode_to_json(each), ensure_ascii=False) for each in episodes]
-    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    content = ("\n".join(lines) + "\n").encode()
+    if path.suffix == ".gz":
+        content = gzip.compress(content, mtime=0)
+    path.write_bytes(content)
 
 
 def digest(episode: Episode) -> str:
@@ -139,4 +147,5 @@ def digest(episode: Episode) -> str:
 
 def shipped_episodes() -> list[Episode]:
     """Return the project's own episodes."""
-    return [each for path in sorted(SHIPPED.glob("*.jsonl")) for each in read_episodes(path)]
+    paths = sorted([*SHIPPED.glob("*.jsonl"), *SHIPPED.glob("*.jsonl.gz")])
+    return [each for path in paths for each in read_episodes(path)]

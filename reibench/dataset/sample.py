@@ -1,5 +1,6 @@
 """Choosing episodes: by level, task type, room, id, or a manifest file."""
 
+import hashlib
 import json
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -55,13 +56,29 @@ def _kind_of(episodes: Sequence[Episode], word: str) -> tuple[str, Kind]:
     raise unknown("episode, level, task type, room or task", word, known)
 
 
+def manifest(episodes: Sequence[Episode], **about: object) -> str:
+    """Return a manifest as its file holds it: the episodes with their digests, and a hash of all.
+
+    `about` says how they were chosen; it stands in the file and in the hash.
+    """
+    content = {**about, "episodes": {episode.id: digest(episode) for episode in episodes}}
+    text = json.dumps(content, sort_keys=True, ensure_ascii=False)
+    sha = hashlib.sha256(text.encode()).hexdigest()
+    return json.dumps({"sha256": sha, **content}, ensure_ascii=False, indent=1) + "\n"
+
+
 def _from_manifest(episodes: Sequence[Episode], path: Path) -> list[Episode]:
     """Return what a manifest lists, refusing episodes that are no longer what it froze."""
     by_id = {episode.id: episode for episode in episodes}
     try:
-        listed = json.loads(path.read_text(encoding="utf-8"))["episodes"].items()
+        content = json.loads(path.read_text(encoding="utf-8"))
+        listed = content["episodes"].items()
+        stated = content.pop("sha256", "")
     except (OSError, ValueError, KeyError, AttributeError, TypeError) as problem:
         raise InvalidEpisode(f"The manifest {path} cannot be read: {problem}.") from problem
+    text = json.dumps(content, sort_keys=True, ensure_ascii=False)
+    if stated and hashlib.sha256(text.encode()).hexdigest() != stated:
+        raise InvalidEpisode(f"The manifest {path} was changed after it was made.")
     for episode_id, frozen in listed:
         if episode_id not in by_id:
             raise unknown("episode", episode_id, by_id)

@@ -33,6 +33,8 @@ from reibench.dialogue import LEVELS, Speaker, Vagueness
 from reibench.episode import Goal, SceneSetup, TaskType
 from reibench.errors import InvalidEpisode, ReibenchError
 
+SCRIPTS = Path(__file__).parents[2] / "assets" / "scripts"
+"""Where the project's own scripts are."""
 Stay = Literal["always", "noise", "cut", "first"]
 """When a sentence is there: always; only with noise; not in short; not in implicit short."""
 _MARKS: Mapping[str, Stay] = {"+": "noise", "-": "cut", "!": "first"}

@@ -118,7 +118,7 @@ def choose_seeds(
         used.note(task.goal, task.setup.room)
     counts = Counter(task.goal.task_type for task in taken)
     chosen: list[Seed] = []
-    for task_type, share in _shares(number).items():
+    for task_type, share in shares(number).items():
         options = list(_options(rooms, task_type))
         while counts[task_type] < share and options:
             goal, room = min(options, key=used.cost)
@@ -131,8 +131,8 @@ def choose_seeds(
     return chosen
 
 
-def _shares(number: int) -> dict[TaskType, int]:
-    """Return how many of each type, by largest remainders."""
+def shares(number: int) -> dict[TaskType, int]:
+    """Return how many tasks of each type make the paper's proportions, by largest remainders."""
     total = sum(PROPORTIONS.values())
     exact = {kind: number * part / total for kind, part in PROPORTIONS.items()}
     shares = {kind: int(value) for kind, value in exact.items()}

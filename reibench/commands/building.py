@@ -1,0 +1,30 @@
+"""`build-dataset`: the shipped episodes from their scripts, and what else makes episodes."""
+
+from argparse import ArgumentParser, Namespace
+from pathlib import Path
+
+from reibench.commands.output import tell
+from reibench.dataset.files import SHIPPED, write_episodes
+from reibench.dataset.levels import derive
+from reibench.dataset.scripts import SCRIPTS, read_scripts
+
+EPISODES = SHIPPED / "rei.jsonl.gz"
+
+
+def add(command: ArgumentParser) -> None:
+    """Add the command's options."""
+    command.add_argument(
+        "--scripts", action="append", default=[], help="script files (default: the shipped ones)"
+    )
+    command.add_argument("--out", type=Path, default=EPISODES, help="default: %(default)s")
+    command.set_defaults(command=build_command)
+
+
+def build_command(arguments: Namespace) -> int:
+    """Write the nine episodes of every script."""
+    paths = [Path(path) for path in arguments.scripts] or sorted(SCRIPTS.glob("*.txt"))
+    scripts = [script for path in paths for script in read_scripts(path)]
+    episodes = [episode for script in scripts for episode in derive(script)]
+    write_episodes(arguments.out, episodes)
+    tell(f"{arguments.out}: {len(episodes)} episodes from {len(scripts)} scripts")
+    return 0
