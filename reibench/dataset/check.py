@@ -127,8 +127,9 @@ def _noise_problems(episode: Episode) -> Iterator[str]:
         if spoken and (utterance.speaker == "robot" or utterance is episode.dialogue.instruction):
             yield f"{spoken[0].text!r} belongs into the human's turns of the context"
     words = [word for name in _counted(episode) for word in words_of(name)]
-    if noise and any(says(noise[0].text, word) for word in words):
-        yield f"the ambiguous name {noise[0].text!r} gives the task object away"
+    for text in dict.fromkeys(mark.text for mark in noise):
+        if any(says(text, word) for word in words):
+            yield f"the ambiguous name {text!r} gives the task object away"
 
 
 def _counted(episode: Episode) -> tuple[str, ...]:
