@@ -101,6 +101,8 @@ class Episode:
     """Object types a careful listener is left with; the first is meant."""
     underdetermined: bool = False
     """Whether more than one candidate is left; such episodes are kept apart in every table."""
+    origin: str = ""
+    """How the dialogue was made, unless a person wrote it: `realised`, `model:NAME` …"""
 
     @property
     def id(self) -> str:

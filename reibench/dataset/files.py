@@ -19,6 +19,7 @@ SHIPPED = Path(__file__).parents[2] / "assets" / "episodes"
 def episode_to_json(episode: Episode) -> dict[str, Any]:
     """Return `episode` as the object an episode file holds."""
     goal, setup = episode.task.goal, episode.task.setup
+    made = {"origin": episode.origin} if episode.origin else {}
     return {
         "id": episode.id,
         "task": episode.task.id,
@@ -38,6 +39,7 @@ def episode_to_json(episode: Episode) -> dict[str, Any]:
         },
         "candidates": list(episode.candidates),
         "underdetermined": episode.underdetermined,
+        **made,
         "dialogue": [_utterance_to_json(each) for each in episode.dialogue.utterances],
     }
 
@@ -80,6 +82,7 @@ def episode_from_json(value: Mapping[str, Any]) -> Episode:
             vagueness=Vagueness.parse(value["level"]),
             candidates=tuple(value["candidates"]),
             underdetermined=bool(value["underdetermined"]),
+            origin=str(value.get("origin", "")),
         )
     except KeyError as missing:
         raise InvalidEpisode(f"Episode {name} has no {missing}.") from missing

@@ -29,6 +29,11 @@ def text_problems(text: str) -> Iterator[str]:
         yield f"{odd[0]!r} is odd spacing or a curly quote"
 
 
+def article(word: str) -> str:
+    """Return `a` or `an`, whichever stands before `word`."""
+    return "an" if _sounds_like_a_vowel(word) else "a"
+
+
 def _sounds_like_a_vowel(word: str) -> bool:
     low = word.lower()
     if low.startswith((*_SILENT_H, "8", "11-", "18-")) or low in ("11", "18"):

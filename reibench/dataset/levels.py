@@ -21,6 +21,7 @@ def derive(script: Script) -> list[Episode]:
                 vagueness=level,
                 candidates=left or (script.goal.object,),
                 underdetermined=len(left) > 1,
+                origin=script.origin,
             )
         )
     return episodes

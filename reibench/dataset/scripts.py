@@ -99,6 +99,8 @@ class Script:
     words of the context that rule it out; empty words where nothing does."""
     candidates: Mapping[Vagueness, tuple[str, ...]] = field(default_factory=dict)
     """Where a careful listener cannot decide: the types left, the meant one first."""
+    origin: str = ""
+    """How it was made, unless a person wrote it: `realised`, `model:NAME` …"""
 
     @property
     def mentions(self) -> Iterator[tuple[int, Passage, Mention]]:
@@ -170,6 +172,7 @@ def _script(name: str, head: Mapping[str, str], turns: tuple[Turn, ...]) -> Scri
         turns=turns,
         rivals=dict(_rivals(head.get("rivals", ""))),
         candidates=dict(_candidates(head.get("underdetermined", ""))),
+        origin=head.get("origin", ""),
     )
 
 
@@ -255,6 +258,8 @@ def format_script(script: Script) -> str:
         ordered = [level for level in LEVELS if level in script.candidates]
         entries = (f"{level} {' '.join(script.candidates[level])}" for level in ordered)
         lines.append(f"underdetermined: {'; '.join(entries)}")
+    if script.origin:
+        lines.append(f"origin: {script.origin}")
     lines.append("")
     last = len(script.turns) - 1
     for number, turn in enumerate(script.turns):

@@ -119,10 +119,10 @@ def choose_seeds(
     counts = Counter(task.goal.task_type for task in taken)
     chosen: list[Seed] = []
     for task_type, share in shares(number).items():
-        options = list(_options(rooms, task_type))
-        while counts[task_type] < share and options:
-            goal, room = min(options, key=used.cost)
-            options.remove((goal, room))
+        left = list(options(rooms, task_type))
+        while counts[task_type] < share and left:
+            goal, room = min(left, key=used.cost)
+            left.remove((goal, room))
             task = Task(used.name(goal), SceneSetup(room.name, choose.randrange(1000)), goal)
             if solvable(task):
                 used.note(goal, room.name)
@@ -180,7 +180,13 @@ class _Used:
             yield "holder", ("holder", goal.movable_receptacle)
 
 
-def _options(rooms: Sequence[Room], task_type: TaskType) -> Iterator[tuple[Goal, Room]]:
+def kind_of(object_type: str) -> str:
+    """Return the kind of thing a task object is, e.g. `cutlery`; raises KeyError for others."""
+    return _KIND_OF[object_type]
+
+
+def options(rooms: Sequence[Room], task_type: TaskType) -> Iterator[tuple[Goal, Room]]:
+    """Yield every goal of a type with the room it could be asked for in."""
     for room in rooms:
         if room.kind in ROOM_KINDS[task_type]:
             for goal in _goals(room, task_type):
@@ -209,7 +215,7 @@ def _lights(name: str, present: set[str]) -> Iterator[Goal]:
 
 def _stacks(room: Room, name: str, present: set[str]) -> Iterator[Goal]:
     for holder in _HOLDERS.get(_KIND_OF[name], "").split():
-        if holder in present and object_type(name).belongs(holder):
+        if holder in present and holder != name and object_type(name).belongs(holder):
             for place in _free(room, holder, _HOLDER_PLACES[holder]):
                 if place != name:
                     yield Goal(TaskType.STACK, name, place, holder)
