@@ -27,6 +27,11 @@ class Catalogue:
         return tuple(kind for kind in TaskType if kind in present)
 
     @cached_property
+    def rooms(self) -> tuple[str, ...]:
+        """The rooms there are episodes in, in natural order."""
+        return tuple(sorted({e.task.setup.room for e in self.episodes}, key=_natural))
+
+    @cached_property
     def by_id(self) -> dict[str, Episode]:
         """The episodes by their id."""
         return {episode.id: episode for episode in self.episodes}
