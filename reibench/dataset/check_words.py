@@ -2,8 +2,8 @@
 
 from collections.abc import Iterator
 
-from reibench.dataset.forms import names, says
-from reibench.dataset.grammar import PLURAL, SINGULAR, is_plural, text_problems
+from reibench.dataset.forms import is_plural, names, says
+from reibench.dataset.grammar import PLURAL, SINGULAR, text_problems
 from reibench.dialogue import ReferringExpression
 from reibench.episode import Episode
 

@@ -56,10 +56,18 @@ def says(text: str, word: str) -> bool:
     return re.search(rf"(?<![\w-]){re.escape(word)}(?![\w-])", text, re.IGNORECASE) is not None
 
 
+def is_plural(named: str, referent: str) -> bool:
+    """Whether a named mention speaks of several; `a bunch of keys` does not."""
+    known = names().get(referent)
+    if known is None:
+        return False
+    longest = next((word for word in known.words if says(named, word)), "")
+    return longest in known.plural
+
+
 def named_form(text: str, referent: str) -> str:
     """Return the form of a named mention: plural, indefinite, definite or proper."""
-    known = names().get(referent)
-    if known and any(says(text, word) for word in known.plural):
+    if is_plural(text, referent):
         return "plural"
     first = text.split()[0].lower()
     if first in INDEFINITE:

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterator
 
-from reibench.dataset.forms import names, says, unnamed_form
+from reibench.dataset.forms import is_plural, unnamed_form
 
 SINGULAR = frozenset(("it", "its", "this", "that", "one", "one of those", "one of these"))
 PLURAL = frozenset(("they", "them", "their", "these", "those", "both", "some"))
@@ -49,10 +49,3 @@ def agrees(unnamed: str, named: str, referent: str) -> bool:
     if unnamed_form(word) != "pronoun":
         return True
     return word not in (SINGULAR if is_plural(named, referent) else PLURAL)
-
-
-def is_plural(named: str, referent: str) -> bool:
-    """Whether a named mention speaks of several; `a bunch of keys` does not."""
-    known = names()[referent]
-    longest = next((word for word in known.words if says(named, word)), "")
-    return longest in known.plural

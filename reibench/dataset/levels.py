@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from reibench.dataset.forms import named_form, unnamed_form
-from reibench.dataset.scripts import Mention, Passage, Script, Turn
+from reibench.dataset.scripts import Mention, Passage, Script
 from reibench.dialogue import LEVELS, Dialogue, ReferringExpression, Utterance, Vagueness
 from reibench.episode import Episode, Task
 
@@ -25,6 +25,12 @@ def derive(script: Script) -> list[Episode]:
             )
         )
     return episodes
+
+
+def said(script: Script, words: str, level: Vagueness) -> bool:
+    """Whether the script's dialogue at `level` holds these words."""
+    texts = (utterance.text.lower() for utterance in _utterances(script, level))
+    return any(words.lower() in text for text in texts)
 
 
 def stays(passage: Passage, level: Vagueness) -> bool:
@@ -117,8 +123,3 @@ def as_written(mention: Mention) -> str:
     """Return the unnamed form with a capital where the named one has it at a sentence's start."""
     first, capital = mention.unnamed[0], mention.named[0].isupper()
     return (first.upper() if capital else first) + mention.unnamed[1:]
-
-
-def human_turns(script: Script) -> list[Turn]:
-    """Return the human's turns of the context."""
-    return [turn for turn in script.turns[:-1] if turn.speaker == "human"]

@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterator
 
 from reibench.dataset.forms import names, says
 from reibench.dataset.grammar import agrees, text_problems
-from reibench.dataset.levels import derive
+from reibench.dataset.levels import derive, said
 from reibench.dataset.scripts import Script
-from reibench.dialogue import LEVELS, Utterance, Vagueness
+from reibench.dialogue import Utterance, Vagueness
 from reibench.episode import TaskType
 from reibench.household.objects import object_types
 
@@ -179,27 +179,19 @@ def _rivals(script: Script) -> Iterator[str]:
             yield f"the rival {name!r} is no object type"
         if name in _objects(script).values():
             yield f"the rival {name} is the task object itself"
-        if words and not _said(script, words, Vagueness("implicit", "standard")):
+        if words and not said(script, words, Vagueness("implicit", "standard")):
             yield f"the words that rule out the {name}, {words!r}, are not in the implicit context"
     short = Vagueness("implicit", "short")
-    open_here = [n for n, w in script.rivals.items() if not (w and _said(script, w, short))]
+    open_here = [n for n, w in script.rivals.items() if not (w and said(script, w, short))]
     marked = list(script.candidates.get(short, ())[1:])
     if sorted(open_here) != sorted(marked):
-        said = ", ".join(marked) or "none"
-        meant = ", ".join(open_here) or "none"
-        yield f"at implicit-short the rivals left are {meant}, but underdetermined says {said}"
-    always = [n for n, w in script.rivals.items() if not w]
-    for level in LEVELS:
-        left = script.candidates.get(level)
-        if left and left[0] != script.goal.object and left[0] != _movable(script):
+        stated, left = ", ".join(marked) or "none", ", ".join(open_here) or "none"
+        yield f"at implicit-short the rivals left are {left}, but underdetermined says {stated}"
+    for level, candidates in script.candidates.items():
+        if candidates[0] not in _objects(script).values():
             yield f"the first candidate at {level} must be the task object"
-        if left and level != short and sorted(left[1:]) != sorted(always):
-            yield f"{level} is marked underdetermined, but its rivals are ruled out"
-
-
-def _said(script: Script, words: str, level: Vagueness) -> bool:
-    [episode] = [e for e in derive(script) if e.vagueness == level]
-    return any(words.lower() in u.text.lower() for u in episode.dialogue.utterances)
+        if level != short:
+            yield f"{level} names the object in its context and cannot be underdetermined"
 
 
 def _task(script: Script) -> Iterator[str]:

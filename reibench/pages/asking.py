@@ -34,6 +34,9 @@ class Ask:
     kind: str = ""
     task: str = ""
     level: str = ""
+    room: str = ""
+    words: str = ""
+    """Of an episode that is looked for."""
     shuffle: int | None = None
     row: int | None = None
     left: str = ""
@@ -61,6 +64,8 @@ class Ask:
             kind=_word(data.get("kind")),
             task=_word(data.get("task")),
             level=_word(data.get("level")),
+            room=_word(data.get("room")),
+            words=_word(data.get("words")),
             shuffle=_whole(data.get("shuffle")),
             row=_whole(data.get("row")),
             left=_word(data.get("left")),

@@ -16,7 +16,7 @@ from reibench.view.screens import Screen, frame, loading, picker_panel
 BUS = """
 window.reiTrigger = (name, data) => trigger(name, data);
 window.dispatchEvent(new Event("rei:bus"));
-// events: 'step' 'done' 'again' 'choose' 'solve' 'watch' 'halt' 'row' 'look' 'fetch'
+// events: 'step' 'done' 'again' 'choose' 'solve' 'watch' 'halt' 'row' 'look' 'fetch' 'seek'
 """
 PARTS = tuple(field.name for field in fields(Screen))
 Answer = tuple[Any, ...]
@@ -46,7 +46,7 @@ def build(sittings: Sittings, *, links: Links = (("Demo", "/"),), model: str = "
         slow = quick | {"queue": True, "concurrency_limit": 8}
         watching = bus.watch(demo.watch, [visitor], outputs, **slow, concurrency_id="watch")
         bus.fetch(demo.fetch, [visitor], outputs, **slow, concurrency_id="fetch")
-        for name in ("step", "done", "solve", "row", "halt", "look"):
+        for name in ("step", "done", "solve", "row", "halt", "look", "seek"):
             getattr(bus, name)(getattr(demo, name), [visitor], outputs, **quick)
         for name in ("choose", "again"):
             # whatever is being watched ends: its answers would overwrite the new choice
@@ -76,7 +76,9 @@ def _lay_out() -> tuple[gr.HTML, dict[str, gr.HTML]]:
                 room = part(empty.room, elem_classes="fills")
         stage = part(elem_id="stage", elem_classes="fills")
         sheet = part(elem_id="settings", elem_classes="keeps")
-    made = {"bar": bar, "talk": talk, "room": room, "act": act, "stage": stage, "sheet": sheet}
+        with gr.Column(elem_id="finder", elem_classes="keeps"):
+            made = {"seek": part(), "found": part()}
+    made |= {"bar": bar, "talk": talk, "room": room, "act": act, "stage": stage, "sheet": sheet}
     return reply, {name: made[name] for name in PARTS}
 
 
@@ -102,7 +104,8 @@ class Demo:
         ask = Ask.read(
             {"episode": episode} | {k: wanted.get(k) for k in ("actor", "model", "method")}
         )
-        return (token, *answer(ask, self._showing.whole(token, ask)))
+        screen = replace(self._showing.whole(token, ask), seek=self._showing.finder().seek)
+        return (token, *answer(ask, screen))
 
     def step(self, visitor: str, event: gr.EventData) -> Answer:
         """Carry out a skill."""
@@ -142,6 +145,11 @@ class Demo:
         ask = replace(ask, episode=chosen.id, actor=ask.as_actor or ask.actor)
         screen = self._showing.whole(visitor, ask)
         return answer(ask, replace(screen, sheet=self._showing.sheet(ask).sheet))
+
+    def seek(self, visitor: str, event: gr.EventData) -> Answer:
+        """Show the episodes that fit what is looked for."""
+        ask = Ask.read(event._data)
+        return answer(ask, self._showing.found(ask))
 
     # what a planner does
 

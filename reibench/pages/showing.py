@@ -9,6 +9,7 @@ from reibench.pages.fetching import Fetcher
 from reibench.sittings import Sittings
 from reibench.view.actor_panel import trouble_panel
 from reibench.view.catalogue import Catalogue
+from reibench.view.finder import Seek, finder, found_list
 from reibench.view.screens import (
     Screen,
     Setting,
@@ -35,6 +36,10 @@ class Showing:
         self._sittings = sittings
         self._links = links
         self._model = model
+
+    def finder(self) -> Screen:
+        """Return the fields for finding an episode."""
+        return Screen(seek=finder(self.catalogue))
 
     def whole(self, visitor: str, ask: Ask, *, notice: str = "", afresh: bool = False) -> Screen:
         """Return the whole page for what was chosen, or what keeps it from being made."""
@@ -107,6 +112,12 @@ class Showing:
             fetching=self.fetcher.states,
         )
         return Screen(sheet=sheet)
+
+    def found(self, ask: Ask) -> Screen:
+        """Return the episodes that fit what is looked for."""
+        current = self._sittings.episode(ask.episode)
+        wanted = Seek(ask.kind, ask.room, ask.level, ask.words)
+        return Screen(found=found_list(self.catalogue, wanted, current))
 
     def setting(self, ask: Ask, sitting: Sitting | None = None) -> Setting:
         """Return what is the same on every screen of a choice; `sitting` tells a planner's pace."""

@@ -31,6 +31,8 @@ class Screen:
     act: str | None = None
     stage: str | None = None
     sheet: str | None = None
+    seek: str | None = None
+    found: str | None = None
 
 
 @dataclass(frozen=True)

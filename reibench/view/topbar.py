@@ -34,6 +34,12 @@ _SHUFFLE = (
     'M12.300 2.300l2.200 2.200-2.200 2.200M12.300 9.300l2.200 2.200-2.200 2.200"/></svg>'
 )
 
+_FIND = (
+    '<svg width="16" height="16" viewBox="0 0 16 16" fill="none" stroke="currentColor"'
+    ' stroke-width="1.600" stroke-linecap="round" aria-hidden="true">'
+    '<circle cx="7" cy="7" r="4.500"/><path d="M10.400 10.400l3.800 3.800"/></svg>'
+)
+
 
 @dataclass(frozen=True)
 class ModelStatus:
@@ -194,14 +200,24 @@ def _room(catalogue: Catalogue, episode: Episode, scene: Scene) -> str:
         type="button",
         class_="btn icon",
         data_do="shuffle",
-        aria_label="Shuffle: another episode",
-        title="Another episode",
+        aria_label="Shuffle: another episode of this level",
+        title="Another episode of this level",
+    )
+    find = element(
+        "button",
+        _FIND,
+        type="button",
+        class_="btn icon",
+        data_do="find",
+        aria_label="Find an episode",
+        title="Find an episode",
+        aria_haspopup="dialog",
     )
     select = element("select", *options, class_="native room", id="room", data_choose="task")
     return element(
         "div",
         element("label", "Room", class_="label", for_="room"),
-        element("span", select, shuffle, class_="row"),
+        element("span", select, shuffle, find, class_="row"),
         element("span", text(room_size(scene)), class_="xs muted num"),
         class_="field",
     )

@@ -207,3 +207,21 @@ def test_what_is_closed_keeps_its_secrets_in_the_page_s_source(visit):
     html = demo.page.content()
     assert "|+0" not in html
     assert "Egg|" not in html
+
+
+def test_an_episode_is_found_by_typing_and_opened_by_the_keyboard(visit):
+    demo = visit(HERE)
+    page = demo.page
+    page.click("[data-do=find]")
+    expect(page.locator("#found [data-open]").first).to_be_visible()
+    page.keyboard.type("toddler chill counter")
+    expect(page.locator("#found [role=status]")).to_contain_text("Nothing fits")
+    page.fill("#finder [data-seek=words]", "chill counter")
+    expect(page.locator("#found [data-open]")).to_have_count(1)
+    page.keyboard.press("ArrowDown")
+    page.keyboard.press("Enter")
+    page.wait_for_url("**episode=cool_apple.mixed-noised**")
+    expect(page.locator("#finder")).to_be_hidden()
+    page.click("[data-do=find]")
+    page.keyboard.press("Escape")
+    expect(page.locator("#finder")).to_be_hidden()

@@ -72,6 +72,15 @@ const DO = {
     root.dataset.shelf = "";
     document.querySelector("[data-do=shelf]")?.focus();
   },
+  find: () => {
+    root.dataset.finder = "open";
+    seek();
+    document.querySelector("#finder [data-seek=words]")?.focus();
+  },
+  "close-finder": () => {
+    root.dataset.finder = "";
+    document.querySelector("[data-do=find]")?.focus();
+  },
   keys: (button) => remember("keys", button.checked),
   shuffle: () => send("choose", { shuffle: Math.floor(Math.random() * 1e6) }),
   again: () => send("again"),
@@ -89,7 +98,26 @@ const DO = {
   get: (button) => send("fetch", { wanted: button.dataset.model }),
 };
 
+// ---- finding an episode
+
+let seeking = 0;
+function seek() {
+  const fields = [...document.querySelectorAll("#finder [data-seek]")];
+  send("seek", Object.fromEntries(fields.map((field) => [field.dataset.seek, field.value])));
+}
+document.addEventListener("input", (event) => {
+  if (!event.target.dataset?.seek) return;
+  clearTimeout(seeking);
+  seeking = setTimeout(seek, 120);
+});
+function openFound(row) {
+  root.dataset.finder = "";
+  send("choose", { task: row.dataset.open, level: row.dataset.at });
+}
+
 document.addEventListener("click", (event) => {
+  const row = event.target.closest?.("[data-open]");
+  if (row) return openFound(row);
   const button = event.target.closest?.("[data-do]");
   if (button) {
     if (DO[button.dataset.do]) DO[button.dataset.do](button);
@@ -136,6 +164,11 @@ document.addEventListener("keydown", (event) => {
     DO.close();
     return;
   }
+  if (event.key === "Escape" && root.dataset.finder === "open") {
+    DO["close-finder"]();
+    return;
+  }
+  if (root.dataset.finder === "open" && moveInFound(event)) return;
   const radio = event.target.closest?.("[role=radio]");
   if (radio && RADIO_KEYS[event.key]) {
     event.preventDefault();
@@ -152,6 +185,17 @@ document.addEventListener("keydown", (event) => {
     LETTERS[event.key.toLowerCase()]();
   }
 });
+
+// arrows go from the field through what was found
+function moveInFound(event) {
+  if (event.key !== "ArrowDown" && event.key !== "ArrowUp") return false;
+  if (event.target.tagName === "SELECT" || !event.target.closest?.("#finder")) return false;
+  const stops = [document.querySelector("#finder [data-seek=words]"), ...document.querySelectorAll("#found [data-open]")];
+  const at = stops.indexOf(event.target) + (event.key === "ArrowDown" ? 1 : -1);
+  stops[Math.max(0, Math.min(stops.length - 1, at))]?.focus();
+  event.preventDefault();
+  return true;
+}
 
 function moveRadio(radio, [x, y]) {
   const group = radio.closest("[role=radiogroup]");
