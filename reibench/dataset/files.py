@@ -142,6 +142,28 @@ def write_episodes(path: Path, episodes: Iterable[Episode]) -> None:
     path.write_bytes(content)
 
 
+def stream_episodes(path: Path, episodes: Iterable[Episode]) -> int:
+    """Write an episode file while its episodes are being made, and return how many there were.
+
+    The file appears under its name when it is complete; the same episodes give the same file.
+    """
+    count = 0
+    part = path.with_name(path.name + ".part")
+    try:
+        with part.open("wb") as raw:
+            packed = gzip.GzipFile("", "wb", 6, raw, mtime=0) if path.suffix == ".gz" else None
+            for episode in episodes:
+                line = json.dumps(episode_to_json(episode), ensure_ascii=False) + "\n"
+                (packed or raw).write(line.encode())
+                count += 1
+            if packed:
+                packed.close()
+        part.replace(path)
+    finally:
+        part.unlink(missing_ok=True)
+    return count
+
+
 def digest(episode: Episode) -> str:
     """Return 16 hex digits that change when anything about the episode does."""
     text = json.dumps(episode_to_json(episode), sort_keys=True, ensure_ascii=False)

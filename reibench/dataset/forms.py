@@ -53,7 +53,12 @@ def _read(row: dict[str, str]) -> Names:
 
 def says(text: str, word: str) -> bool:
     """Whether `text` holds `word` as a whole word, not inside another (keyboard holds no key)."""
-    return re.search(rf"(?<![\w-]){re.escape(word)}(?![\w-])", text, re.IGNORECASE) is not None
+    return _whole(word).search(text) is not None
+
+
+@lru_cache(maxsize=4096)
+def _whole(word: str) -> re.Pattern[str]:
+    return re.compile(rf"(?<![\w-]){re.escape(word)}(?![\w-])", re.IGNORECASE)
 
 
 def is_plural(named: str, referent: str) -> bool:

@@ -1,6 +1,6 @@
 """The nine levels: what each keeps of a script, and how it mentions things (section 3.2)."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from reibench.dataset.forms import named_form, unnamed_form
 from reibench.dataset.scripts import Mention, Passage, Script
@@ -8,11 +8,11 @@ from reibench.dialogue import LEVELS, Dialogue, ReferringExpression, Utterance, 
 from reibench.episode import Episode, Task
 
 
-def derive(script: Script) -> list[Episode]:
-    """Return the script's nine episodes, from explicit-standard to implicit-short."""
+def derive(script: Script, levels: Sequence[Vagueness] = LEVELS) -> list[Episode]:
+    """Return the script's episodes at `levels`: nine, from explicit-standard to implicit-short."""
     task = Task(script.id, script.setup, script.goal)
     episodes = []
-    for level in LEVELS:
+    for level in levels:
         left = script.candidates.get(level, ())
         episodes.append(
             Episode(

@@ -71,7 +71,9 @@ def held_out(fraction: float, seed: int = 0) -> tuple[Lexicon, Lexicon]:
         ReibenchError: when `fraction` is not in [0, 1).
     """
     if not 0 <= fraction < 1:
-        raise ReibenchError(f"A fraction from 0 up to, not including, 1 can be held out: {fraction}.")
+        raise ReibenchError(
+            f"A fraction from 0 up to, not including, 1 can be held out: {fraction}."
+        )
     if fraction == 0:
         return expressions(), {}
     kept: list[Expression] = []

@@ -166,7 +166,7 @@ class Realiser:
         choose: Random,
     ) -> list[Wording] | None:
         """Word the mentions of each task object; None if a pair of them cannot be kept apart."""
-        wordings = []
+        wordings: list[Wording] = []
         for name in _counted(goal):
             of = "object" if name == goal.object and not wordings else "movable"
             mine = noun if of == "object" else nouns()[name][-1]
@@ -206,7 +206,7 @@ def _age(opening: Part) -> int:
 
 
 def _name(goal: Goal, present: frozenset[str], choose: Random, *, works: bool) -> Name | None:
-    """Choose an ambiguous name that looks like something in the room, but not like a task object."""
+    """Choose an ambiguous name that looks like something there, but not like a task object."""
     words = [word for name in _counted(goal) for word in names()[name].words]
     there = present - {*_counted(goal), goal.destination}
     fitting = [

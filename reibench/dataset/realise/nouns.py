@@ -49,7 +49,7 @@ class Name:
 
 @lru_cache(maxsize=1)
 def nouns() -> dict[str, tuple[Noun, ...]]:
-    """Return the ways to call each type of thing: one, or one in the singular and one in the plural."""
+    """Return the ways to call each type of thing: one, or one in each number."""
     found: dict[str, tuple[Noun, ...]] = {}
     with (PARTS / "nouns.csv").open(encoding="utf-8", newline="") as file:
         for row in csv.DictReader(file):

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Literal, get_args
 
@@ -80,7 +80,13 @@ class Part:
 
     def words(self, turn: int = 0) -> int:
         """Return how many words its turn has at least, however its slots are filled."""
-        return sum(map(_words, (token for piece in self.turns[turn] for token in piece.tokens)))
+        return self._lengths[turn]
+
+    @cached_property
+    def _lengths(self) -> tuple[int, ...]:
+        return tuple(
+            sum(_words(token) for piece in turn for token in piece.tokens) for turn in self.turns
+        )
 
 
 def _words(token: Token) -> int:
@@ -94,6 +100,8 @@ def _words(token: Token) -> int:
     return 1
 
 
+Header = tuple[Role, frozenset[str], frozenset[TaskType]]
+"""What a line `== role | kinds | tasks` says of the lines below it."""
 _ROLES = get_args(Role)
 _AGES = re.compile(r"(\d+)\+ ")
 _PIECE = re.compile(r"\{-([^{}]*)\}|((?:[^{}]|\{(?:name)\})+)")
@@ -117,20 +125,18 @@ def parts() -> tuple[Part, ...]:
 
 def read_parts(path: Path) -> Iterator[Part]:
     """Yield the parts of a file; raises ReibenchError naming the line that is wrong."""
-    header: tuple[Role, frozenset[str], frozenset[TaskType]] | None = None
+    header: Header | None = None
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
         try:
             if line.startswith("== "):
                 header = _header(line)
             elif line.strip():
-                if header is None:
-                    raise ValueError("a line '== role | kinds | tasks' comes first")
-                yield _part(line.strip(), *header)
+                yield _part(line.strip(), header)
         except ValueError as problem:
             raise ReibenchError(f"{path}, line {number}: {problem}.") from problem
 
 
-def _header(line: str) -> tuple[Role, frozenset[str], frozenset[TaskType]]:
+def _header(line: str) -> Header:
     role, kinds, tasks = (cell.strip() for cell in line.removeprefix("== ").split("|"))
     known = {task.short: task for task in TaskType}
     [found] = [each for each in _ROLES if each == role] or [None]
@@ -143,7 +149,10 @@ def _header(line: str) -> tuple[Role, frozenset[str], frozenset[TaskType]]:
     return found, frozenset(one) - {"*"}, frozenset(for_tasks)
 
 
-def _part(text: str, role: Role, kinds: frozenset[str], tasks: frozenset[TaskType]) -> Part:
+def _part(text: str, header: Header | None) -> Part:
+    if header is None:
+        raise ValueError("a line '== role | kinds | tasks' comes first")
+    role, kinds, tasks = header
     rest, least_age, who = text, 0, ""
     if age := _AGES.match(rest):
         least_age, rest = int(age[1]), rest[age.end() :]

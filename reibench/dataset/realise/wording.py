@@ -20,7 +20,9 @@ _YOURS = {
     "my": "your", "mine": "yours", "we": "you", "we'll": "you'll", "we're": "you're", "us": "you",
     "our": "your", "am": "are",
 }  # fmt: skip
-_OURS = re.compile(r"\b(?:I was|" + "|".join(sorted(_YOURS, key=len, reverse=True)) + r")\b(?!')", re.I)
+_OURS = re.compile(
+    r"\b(?:I was|" + "|".join(sorted(_YOURS, key=len, reverse=True)) + r")\b(?!')", re.I
+)
 _ALIKE = {
     "count": ("one of those", "a thing like that", "something like that"),
     "mass": ("something like that", "stuff like that"),
@@ -164,7 +166,9 @@ class Wordsmith:
             unnamed = said_by(expression.text, use.speaker)
         elif number:
             unnamed = self._pronoun(use.slot)
-        return Mention(named[0].upper() + named[1:] if use.slot.capital else named, unnamed, use.slot.of)
+        return Mention(
+            named[0].upper() + named[1:] if use.slot.capital else named, unnamed, use.slot.of
+        )
 
     def _named(self, use: Use, *, first: bool) -> str:
         noun = self._choose.choice(self._noun.first if first else self._noun.later)
@@ -181,7 +185,13 @@ class Wordsmith:
         if slot.way == "a":
             return self._choose.choice(_ALIKE[self._noun.number])
         if self._noun.is_plural:
-            return "they" if slot.way in ("they", "this") else "those" if slot.way == "that" else "them"
+            return (
+                "they"
+                if slot.way in ("they", "this")
+                else "those"
+                if slot.way == "that"
+                else "them"
+            )
         return "that" if slot.way == "that" else "it"
 
     def _rivals(

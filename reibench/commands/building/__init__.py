@@ -3,10 +3,12 @@
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
+from reibench.commands.building import realised
 from reibench.commands.output import tell
 from reibench.dataset.files import SHIPPED, write_episodes
 from reibench.dataset.levels import derive
 from reibench.dataset.scripts import SCRIPTS, read_scripts
+from reibench.errors import ReibenchError
 
 EPISODES = SHIPPED / "rei.jsonl.gz"
 
@@ -17,14 +19,28 @@ def add(command: ArgumentParser) -> None:
         "--scripts", action="append", default=[], help="script files (default: the shipped ones)"
     )
     command.add_argument("--out", type=Path, default=EPISODES, help="default: %(default)s")
+    command.add_argument("--seed", type=int, default=1, help="decides whatever is left to chance")
+    realised.add(command)
     command.set_defaults(command=build_command)
 
 
 def build_command(arguments: Namespace) -> int:
-    """Write the nine episodes of every script."""
+    """Write episodes: of written scripts, unless something else is to make them."""
+    if arguments.realise is not None:
+        _keep_apart(arguments.out)
+        return realised.build(arguments)
     paths = [Path(path) for path in arguments.scripts] or sorted(SCRIPTS.glob("*.txt"))
     scripts = [script for path in paths for script in read_scripts(path)]
     episodes = [episode for script in scripts for episode in derive(script)]
     write_episodes(arguments.out, episodes)
     tell(f"{arguments.out}: {len(episodes)} episodes from {len(scripts)} scripts")
     return 0
+
+
+def _keep_apart(out: Path) -> None:
+    """Refuse to put what nobody wrote among the shipped episodes."""
+    if out.resolve().parent == SHIPPED.resolve():
+        raise ReibenchError(
+            f"{SHIPPED.name} holds the written episodes, and no others belong there; name another"
+            " file with --out."
+        )
