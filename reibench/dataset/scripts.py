@@ -163,7 +163,7 @@ def _script(name: str, head: Mapping[str, str], turns: tuple[Turn, ...]) -> Scri
     bears, category, decoy = (part.strip() for part in head["name"].rsplit(",", 2))
     return Script(
         id=name,
-        goal=_goal(head["task"]),
+        goal=parse_goal(head["task"]),
         setup=SceneSetup(room=room, seed=int(seed)),
         speaker=head["speaker"],
         name=bears,
@@ -176,7 +176,8 @@ def _script(name: str, head: Mapping[str, str], turns: tuple[Turn, ...]) -> Scri
     )
 
 
-def _goal(text: str) -> Goal:
+def parse_goal(text: str) -> Goal:
+    """Read `heat Potato > DiningTable`; raises ValueError."""
     found = _TASK.fullmatch(text)
     kinds = {kind.short: kind for kind in TaskType}
     if found is None or found[1] not in kinds:

@@ -3,7 +3,7 @@
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from reibench.commands.building import realised
+from reibench.commands.building import modelled, realised
 from reibench.commands.output import tell
 from reibench.dataset.files import SHIPPED, write_episodes
 from reibench.dataset.levels import derive
@@ -21,6 +21,7 @@ def add(command: ArgumentParser) -> None:
     command.add_argument("--out", type=Path, default=EPISODES, help="default: %(default)s")
     command.add_argument("--seed", type=int, default=1, help="decides whatever is left to chance")
     realised.add(command)
+    modelled.add(command)
     command.set_defaults(command=build_command)
 
 
@@ -29,6 +30,9 @@ def build_command(arguments: Namespace) -> int:
     if arguments.realise is not None:
         _keep_apart(arguments.out)
         return realised.build(arguments)
+    if arguments.model is not None:
+        _keep_apart(arguments.out)
+        return modelled.build_modelled(arguments)
     paths = [Path(path) for path in arguments.scripts] or sorted(SCRIPTS.glob("*.txt"))
     scripts = [script for path in paths for script in read_scripts(path)]
     episodes = [episode for script in scripts for episode in derive(script)]
