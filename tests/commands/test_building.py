@@ -1,5 +1,7 @@
 """`build-dataset`: what makes episodes, and where they may not go."""
 
+import json
+
 import pytest
 
 from reibench.__main__ import main
@@ -50,3 +52,58 @@ def test_what_cannot_be_built_is_said_in_a_sentence(tmp_path, monkeypatch, capsy
     assert main(["build-dataset", *arguments]) == 2
     assert said in capsys.readouterr().err
     assert not list(tmp_path.iterdir())
+
+
+def test_the_packaged_model_runs_all_the_way_and_its_report_adds_up(tmp_path, capsys):
+    """Its dialogues are not judged: what matters is that nothing unsound gets through."""
+    out, answers = tmp_path / "built.jsonl", tmp_path / "answers"
+    limits = ["--retries", "0", "--max-tokens", "120", "--answers", str(answers)]
+    model = ["--model", "llama-cpp:gemma-3-270m", "--seeds", "2", "--price", "1", "2"]
+    arguments = ["build-dataset", *model, *limits, "--out", str(out), "--json"]
+    assert main(arguments) == 0
+    report = json.loads(capsys.readouterr().out)
+    dropped = sum(row["count"] for row in report["dropped"])
+    assert report["seeds"] == report["kept"] + dropped == 2
+    assert report["completion_tokens"] > 0
+    assert report["cost"] > 0
+    lines = out.read_text().splitlines()
+    assert len(lines) == 9 * report["kept"]
+    assert len(list(answers.iterdir())) == report["asked"]
+    if lines:
+        assert main(["check-dataset", "--data", str(out)]) == 0
+    # the same command again asks nothing
+    assert main(arguments) == 0
+    again = json.loads(capsys.readouterr().out)
+    assert (again["asked"], again["from_cache"]) == (0, report["asked"])
+    assert (again["kept"], again["dropped"]) == (report["kept"], report["dropped"])
+
+
+def test_what_a_model_says_is_reported_by_step_and_reason(tmp_path, capsys):
+    seeds, said = tmp_path / "seeds.txt", tmp_path / "said.txt"
+    seeds.write_text("heat Potato > DiningTable | kitchen-2, 2\n")
+    said.write_text("potato\nnot a dialogue\n")
+    model = ["--model", f"scripted:{said}", "--seeds", str(seeds), "--retries", "0"]
+    for name in ("built.txt", "built.jsonl.gz"):
+        out, answers = tmp_path / name, tmp_path / f"answers-{name}"
+        arguments = [*model, "--out", str(out), "--answers", str(answers)]
+        assert main(["build-dataset", *arguments]) == 0
+        printed = capsys.readouterr()
+        assert "generation  not seven turns  1" in printed.out
+        assert "0 of 1 seeds kept." in printed.out
+        assert "[1/1] seeds_1: generation: There must be seven lines" in printed.err
+        assert out.exists()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        ([], "--model needs --seeds"),
+        (["--seeds", "0"], "--seeds 0 leaves nothing to do"),
+        (["--seeds", "none.txt"], "The seed file none.txt cannot be read"),
+    ],
+)
+def test_a_model_without_seeds_is_refused(tmp_path, monkeypatch, capsys, arguments, said):
+    monkeypatch.chdir(tmp_path)
+    call = ["build-dataset", "--model", "scripted:x", "--out", "x.jsonl", *arguments]
+    assert main(call) == 2
+    assert said in capsys.readouterr().err

@@ -75,7 +75,6 @@ class Asker:
         read: Callable[[str], T],
         *,
         stop: Sequence[str] = (),
-        grammar: str = "",
     ) -> T:
         """Return what `read` makes of the answer; complains and asks again where it is unfit.
 
@@ -84,7 +83,7 @@ class Asker:
         """
         text = prompt
         for left in range(self._retries, -1, -1):
-            answer = self._answer(text, stop, grammar)
+            answer = self._answer(text, stop)
             try:
                 return read(answer)
             except Unfit as problem:
@@ -96,16 +95,14 @@ class Asker:
                 )
         raise AssertionError("unreachable")  # the last answer is returned or raised
 
-    def _answer(self, text: str, stop: Sequence[str], grammar: str) -> str:
-        request = json.dumps([self._backend.name, text, list(stop), grammar, self._max_tokens])
+    def _answer(self, text: str, stop: Sequence[str]) -> str:
+        request = json.dumps([self._backend.name, text, list(stop), self._max_tokens])
         path = self._path(request)
         if path and path.exists():
             self.from_cache += 1
             return str(json.loads(path.read_text(encoding="utf-8"))["answer"])
         prompt = Prompt(text, chat=True)
-        made = self._backend.generate(
-            prompt, max_tokens=self._max_tokens, stop=stop, grammar=grammar
-        )
+        made = self._backend.generate(prompt, max_tokens=self._max_tokens, stop=stop)
         self.asked += 1
         self.usage += made.usage
         if path:

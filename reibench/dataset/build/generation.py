@@ -6,7 +6,6 @@ from reibench.dataset.build.asking import Asker, Unfit
 from reibench.dataset.build.marking import named_mentions, stray_pronoun
 from reibench.dataset.build.seeding import SeedInstruction
 from reibench.dataset.build.speech import (
-    DIALOGUE_GRAMMAR,
     check_lengths,
     read_dialogue,
     show,
@@ -93,7 +92,7 @@ def generate(seed: SeedInstruction, asker: Asker, examples: Sequence[Script]) ->
         check_explicit(seed, turns)
         return turns
 
-    return asker.ask(prompt, read, stop=("\n\nHuman:", "\nTask:"), grammar=DIALOGUE_GRAMMAR)
+    return asker.ask(prompt, read, stop=("\n\nHuman:", "\nTask:"))
 
 
 def identify(seed: SeedInstruction, asker: Asker) -> list[str]:

@@ -8,7 +8,7 @@ from reibench.dataset.build.asking import Asker, Unfit
 from reibench.dataset.build.generation import things_of
 from reibench.dataset.build.marking import named_mentions
 from reibench.dataset.build.seeding import SeedInstruction
-from reibench.dataset.build.speech import DIALOGUE_GRAMMAR, in_sentences, read_dialogue, show
+from reibench.dataset.build.speech import in_sentences, read_dialogue, show
 from reibench.dataset.forms import names, says
 from reibench.dataset.realise.nouns import Name, ambiguous_names
 from reibench.dataset.scripts import Stay
@@ -100,7 +100,7 @@ def process(seed: SeedInstruction, turns: Sequence[str], asker: Asker) -> Proces
     def read(answer: str) -> list[list[Sentence]]:
         return align(turns, read_dialogue(answer), name.text)
 
-    noisy = asker.ask(prompt, read, grammar=DIALOGUE_GRAMMAR)
+    noisy = asker.ask(prompt, read)
     return Processed(name, tuple(tuple(turn) for turn in leave_out(seed, noisy)))
 
 

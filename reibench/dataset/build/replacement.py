@@ -6,7 +6,7 @@ from reibench.dataset.build.asking import Asker
 from reibench.dataset.build.generation import things_of
 from reibench.dataset.build.marking import named_mentions, replaced
 from reibench.dataset.build.seeding import SeedInstruction
-from reibench.dataset.build.speech import DIALOGUE_GRAMMAR, read_dialogue, show
+from reibench.dataset.build.speech import read_dialogue, show
 from reibench.dataset.forms import names
 from reibench.dataset.levels import derive
 from reibench.dataset.scripts import Script
@@ -67,9 +67,7 @@ def replace_mentions(
     def of_request(answer: str) -> list[str]:
         return replaced(turns[-1], marks[-1], read_dialogue(answer)[-1], things)
 
-    request = asker.ask(
-        _prompt(seed, turns, examples, RETAIN), of_request, grammar=DIALOGUE_GRAMMAR
-    )
+    request = asker.ask(_prompt(seed, turns, examples, RETAIN), of_request)
 
     def of_context(answer: str) -> list[list[str]]:
         answers = read_dialogue(answer)
@@ -85,9 +83,7 @@ def replace_mentions(
             found.append(replaced(old, kept, new, things))
         return found
 
-    context = asker.ask(
-        _prompt(seed, turns, examples, REPLACE), of_context, grammar=DIALOGUE_GRAMMAR
-    )
+    context = asker.ask(_prompt(seed, turns, examples, REPLACE), of_context)
     return [*context, request]
 
 

@@ -14,13 +14,6 @@ _SPEAKER = re.compile(
 )
 _CURLY = str.maketrans({"“": '"', "”": '"', "‘": "'", "’": "'", "…": "..."})
 
-DIALOGUE_GRAMMAR = r"""root ::= "Human: " line "\n" "Robot: " line "\n" "Human: " line "\n" """ + (
-    r""" "Robot: " line "\n" "Human: " line "\n" "Robot: " line "\n" "Human: " line
-line ::= [^\n]+
-"""
-)
-"""Holds a model that decodes within a grammar to seven turns; for others the parser decides."""
-
 
 def read_dialogue(answer: str) -> tuple[str, ...]:
     """Return the seven turns in a model's answer; raises Unfit when there are others."""
