@@ -68,7 +68,7 @@ def action_poses(scene: Scene, restorations: Sequence[Restored]) -> list[dict[st
 
 
 def ids(scene: Scene, restorations: Sequence[Restored]) -> list[str]:
-    """Return the id each restored thing gets: AI2-THOR numbers copies by their place in the list."""
+    """Return the ids restored things get: AI2-THOR numbers copies by their place in the list."""
     by_name = {thing.name: thing.id for thing in scene.objects}
     first = sum(1 for _ in _furniture(scene))
     seen: set[str] = set()
