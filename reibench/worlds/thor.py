@@ -21,6 +21,7 @@ from reibench.worlds.treating import treat
 
 KNIVES = frozenset({"Knife", "ButterKnife"})
 BASIN_OF = {"Sink": "SinkBasin", "Bathtub": "BathtubBasin"}
+_FULL_OR_SHUT = {"ReceptacleNotOpen": Reason.CLOSED, "ReceptacleFull": Reason.NO_ROOM}
 
 
 class ThorWorld:
@@ -84,12 +85,10 @@ class ThorWorld:
         if skill.verb is not Verb.FIND:
             self._visited.clear()
 
-    def _act(self, action: str, refusals: dict[str, Refused] | None = None, **args: object) -> None:
-        """Act, or refuse with the reason that belongs to the error code."""
+    def _act(self, action: str, **args: object) -> None:
+        """Act, or refuse with what the simulator says."""
         outcome = self._simulator.act(action, **args)
         if not outcome.success:
-            if refusals and outcome.code in refusals:
-                raise refusals[outcome.code]
             raise Refused(Reason.SIMULATOR, detail=outcome.message)
 
     # finding
@@ -204,17 +203,26 @@ class ThorWorld:
         belongs = object_type(held.type).belongs
         if not self._rules.places_anything and not any(map(belongs, kinds)):
             raise Refused(Reason.NOT_ALLOWED, place)
-        self._act(
-            "PutObject",
-            {
-                "ReceptacleNotOpen": Refused(Reason.CLOSED, place),
-                "ReceptacleFull": Refused(Reason.NO_ROOM, place),
-            },
-            objectId=place.id,
-            # Forced, for AI2-THOR 5 refuses what ALFRED does, e.g. a tomato in a microwave.
-            forceAction=True,
-            placeStationary=True,
-        )
+        # Forced, for AI2-THOR 5 refuses what ALFRED does, e.g. a tomato in a microwave.
+        how = {"forceAction": True, "placeStationary": True}
+        first = self._simulator.act("PutObject", objectId=place.id, **how)
+        if first.success or (
+            first.code == "ReceptacleFull"
+            and any(
+                self._simulator.act("PutObject", objectId=other.id, **how).success
+                for other in self._like(place)
+            )
+        ):
+            return
+        if first.code in _FULL_OR_SHUT:
+            raise Refused(_FULL_OR_SHUT[first.code], place)
+        raise Refused(Reason.SIMULATOR, detail=first.message)
+
+    def _like(self, place: SceneObject) -> list[SceneObject]:
+        """Return the other places of its type that the rules let the robot try instead."""
+        others = [o for o in self._scene.of_type(place.type) if o is not place and not o.held]
+        others.sort(key=lambda other: distance(place.position, other))
+        return others[: self._rules.places_tried - 1]
 
     def _basin(self, place: SceneObject) -> SceneObject:
         """Return the basin of a sink or bath, for AI2-THOR puts things into those."""

@@ -9,6 +9,11 @@ from reibench.scene import CONTAINERS
 from reibench.skill import OBJECTS_OF, Skill, Verb
 from reibench.worlds import Event
 
+_FINDABLE = {name.lower(): name for name in OBJECTS_OF[Verb.FIND]} | {
+    "sinkbasin": "Sink",
+    "bathtubbasin": "Bathtub",
+}
+"""The skills' object types by ALFRED's lower-case names."""
 Moves: TypeAlias = Generator[Skill, Event, None]
 
 
@@ -22,6 +27,7 @@ class PlanInSkills:
     def __init__(self, plan: tuple[PlanAction, ...]) -> None:
         self._plan = plan
         self._held = ""
+        self._place = ""
         self._opened: list[str] = []
 
     def moves(self, start: Event) -> Moves:
@@ -50,10 +56,11 @@ class PlanInSkills:
     def _do(self, verb: Verb, noun: str) -> Moves:
         self._event = yield _skill(verb, noun)
 
-    def _leave(self, _: PlanAction) -> Moves:
-        """Shut what was opened; where to go next is said by the action there."""
+    def _leave(self, action: PlanAction) -> Moves:
+        """Shut what was opened, and remember where to go."""
         while self._opened:
             yield from self._do(Verb.CLOSE, self._opened.pop())
+        self._place = _FINDABLE.get(action.object, "")
 
     def _go_to(self, noun: str) -> Moves:
         """Go to a thing and open what hides it, or it, if things go into it."""
@@ -63,6 +70,10 @@ class PlanInSkills:
             self._opened.append(kind)
 
     def _pick_up(self, action: PlanAction) -> Moves:
+        # From where the plan goes to, the thing it means is the nearest of its type.
+        if self._place and self._place != action.object:
+            yield from self._do(Verb.FIND, self._place)
+        self._place = ""
         yield from self._go_to(action.object)
         yield from self._do(Verb.PICK_UP, action.object)
         self._held = action.object
