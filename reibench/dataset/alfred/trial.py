@@ -40,6 +40,10 @@ class PlanAction:
     """Type of what is gone to, handled or switched, in AI2-THOR 5's spelling."""
     receptacle: str = ""
     """Type of what it is put into, or taken from as far as the trial tells."""
+    at: Vector | None = None
+    """Where the object is, as far as the trial tells; None for slices."""
+    receptacle_at: Vector | None = None
+    """Where the receptacle stands, as far as the trial tells."""
 
 
 @dataclass(frozen=True)
@@ -153,11 +157,23 @@ def _plan_action(entry: Mapping[str, Any]) -> PlanAction:
         return PlanAction(name)
     if name == "GotoLocation":
         return PlanAction(name, object=arguments[0])
-    receptacle = told.get("receptacleObjectId", "")
+    object_id, receptacle = told["objectId"], told.get("receptacleObjectId", "")
+    kind, at = _type_of(receptacle), _place_of(receptacle)
     if not receptacle and "coordinateReceptacleObjectId" in told:
-        receptacle = told["coordinateReceptacleObjectId"][0]
-    return PlanAction(name, _type_of(told["objectId"]), _type_of(receptacle))
+        kind, coordinates = told["coordinateReceptacleObjectId"]
+        # Twice each of x, z and y, in quarters of a metre.
+        x, _, z, _, y, _ = (float(number) / 4 for number in coordinates)
+        kind, at = new_name(kind), Vector(x, y, z)
+    return PlanAction(name, _type_of(object_id), kind, _place_of(object_id), at)
 
 
 def _type_of(object_id: str) -> str:
     return new_name(object_id.partition("|")[0])
+
+
+def _place_of(object_id: str) -> Vector | None:
+    """Return the place that an id `Type|x|y|z` names; None for those of slices, or of nothing."""
+    parts = object_id.split("|")
+    if len(parts) < 4 or "Sliced" in parts[-1]:
+        return None
+    return Vector(*map(float, parts[1:4]))
