@@ -46,6 +46,9 @@ class ThorWorld:
         """Set up the task's room."""
         self._task = task
         self._place = ""
+        """Id of where `put down` puts things; the official rules forget it."""
+        self._visiting = ""
+        """Id of what was last found; what is there is what a noun means first."""
         self._visited: list[str] = []
         self._treatments = Treatments()
         self._legs = Legs(self._simulator)
@@ -115,7 +118,7 @@ class ThorWorld:
         thing = min(things, key=self._effort)
         self._legs.go_to(self._scene, thing)
         self._acted_on = thing
-        self._place = thing.id
+        self._place = self._visiting = thing.id
         self._visited.append(thing.id)
 
     def _effort(self, thing: SceneObject) -> float:
@@ -140,10 +143,8 @@ class ThorWorld:
         if not seen and (beside := self._legs.turn_to(self._scene, things)):
             return beside
         if seen:
-            place = self._scene.by_id.get(self._place)
-            gone_to = {self._place}
-            if place and (container := self._scene.closed_around(place)):
-                gone_to.add(container.id)
+            place = self._scene.by_id.get(self._visiting)
+            gone_to = self._there(place)
             here = place.position if place and not place.held else self._scene.agent.position
             return min(
                 seen,
@@ -160,6 +161,14 @@ class ThorWorld:
             raise Refused(Reason.ENCLOSED, container)
         parent = next((p for p in map(self._scene.by_id.get, nearest.parents) if p), None)
         raise Refused(Reason.OUT_OF_REACH, parent)
+
+    def _there(self, place: SceneObject | None) -> set[str]:
+        """Return the ids of the place gone to, of what it is shut in, and of what it holds."""
+        if place is None:
+            return set()
+        container = self._scene.closed_around(place)
+        held = [*(place.contents or ()), *(self._basin(place).contents or ())]
+        return {place.id, *held, *([container.id] if container else [])}
 
     # handling
 
