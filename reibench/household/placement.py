@@ -10,6 +10,8 @@ from reibench.scene import Box, SceneObject, Vector
 
 STEP, FINEST = 0.1, 0.02
 """Metres between the spots tried: as wide as a thing is, within these; more on large surfaces."""
+CLOSE_STEP = 0.03
+"""The same where nothing is found at first."""
 MOST = 20
 """Spots tried along a side."""
 EDGE = 0.03
@@ -36,8 +38,10 @@ BREADTH = {"Ladle": 0.09, "Spatula": 0.07}
 """Metres across, of utensils that are wider than `THIN`."""
 FOOT = {"DeskLamp": 0.5, "HousePlant": 0.6, "Television": 0.4}
 """What part of its box's width a thing takes up where it stands."""
-BUILT_IN = frozenset(("CounterTop", "Faucet", "Mirror", "Window"))
-"""What real rooms list in basins and shelves because the boxes overlap, and is not in the way."""
+BUILT_IN = frozenset(
+    "Blinds CounterTop Curtains Drawer Faucet Mirror Painting Poster Sink SinkBasin Window".split()
+)
+"""What real rooms list in basins and on tables because boxes overlap, and is not in the way."""
 
 
 Rank = Callable[[float, float], float]
@@ -73,13 +77,14 @@ def free_spot(
     area = area or footprint(receptacle.box)
     if closely:
         thing = _laid_straight(thing)
-    for size in _postures(thing, receptacle):
-        occupied = list(_occupied(objects, thing, receptacle, size.y, closely))
-        for level in _levels(receptacle, size.y):
-            for x, z in _grid(area, size, rank):
-                box = Box(Vector(x, level + size.y / 2, z), size)
-                if not any(_overlap(box, other) for other in occupied):
-                    return Spot(box.center, size)
+    for step in (STEP, CLOSE_STEP) if closely else (STEP,):
+        for size in _postures(thing, receptacle):
+            occupied = list(_occupied(objects, thing, receptacle, size.y, closely))
+            for level in _levels(receptacle, size.y):
+                for x, z in _grid(area, size, rank, step):
+                    box = Box(Vector(x, level + size.y / 2, z), size)
+                    if not any(_overlap(box, other) for other in occupied):
+                        return Spot(box.center, size)
     return None
 
 
@@ -145,18 +150,19 @@ def nearest_to(a: float, b: float) -> Rank:
     return lambda x, z: (x - a) ** 2 + (z - b) ** 2
 
 
-def _grid(area: Footprint, size: Vector, rank: Rank) -> list[tuple[float, float]]:
+def _grid(area: Footprint, size: Vector, rank: Rank, step: float) -> list[tuple[float, float]]:
     """Return the middles to try, best first."""
-    columns = _along(area.left, area.right, size.x)
-    rows = _along(area.near, area.far, size.z)
+    columns = _along(area.left, area.right, size.x, step)
+    rows = _along(area.near, area.far, size.z, step)
     spots = [(rank(x, z), x, z) for x in columns for z in rows]
     return [(x, z) for _, x, z in sorted(spots)]
 
 
-def _along(low: float, high: float, extent: float) -> list[float]:
-    inset = min(extent + 2 * EDGE, high - low) / 2
+def _along(low: float, high: float, extent: float, step: float) -> list[float]:
+    edge = EDGE if step == STEP else 0.0
+    inset = min(extent + 2 * edge, high - low) / 2
     span = high - low - 2 * inset
-    step = min(STEP, max(extent, FINEST))
+    step = min(step, max(extent, FINEST))
     count = min(MOST, int(span / step) + 1)
     if count <= 1:
         return [(low + high) / 2]
@@ -181,6 +187,8 @@ def _occupied(
     own = (receptacle.id, thing.id, *receptacle.parents)
     for other in objects.values():
         if other.pickupable or other.type in MOVED_ASIDE or other.id in own:
+            continue
+        if closely and other.type in BUILT_IN:
             continue
         if _overlap(above, other.box):
             yield _standing(other, closely)
