@@ -24,7 +24,7 @@ def restoration(before: Scene, after: Scene, trial: Trial) -> Counter[str]:
     placed = list(zip(plan, ids(before, plan), strict=True))
     counts: Counter[str] = Counter(poses=len(plan))
     for each, object_id in placed:
-        counts[_honoured(each, after.by_id.get(object_id))] += 1
+        counts[_honoured(each, object_id, after)] += 1
         counts["copies"] += object_id not in before.by_id
     gone = [o for o in before.objects if o.pickupable and o.id not in after.by_id]
     counts["removed"] = len(gone)
@@ -38,15 +38,28 @@ def restoration(before: Scene, after: Scene, trial: Trial) -> Counter[str]:
     return counts
 
 
-def _honoured(each: Restored, thing: SceneObject | None) -> str:
+def _honoured(each: Restored, object_id: str, scene: Scene) -> str:
+    thing = scene.by_id.get(object_id)
     if thing is None:
         return "lost"
-    if each.receptacle and each.receptacle not in thing.parents:
+    if each.receptacle and each.receptacle not in _around(thing, scene):
         return "elsewhere"
     shift = dist(thing.position, each.wanted.position)
     if shift <= EXACT:
         return "exact"
     return "same_receptacle" if shift <= BESIDE else "moved"
+
+
+def _around(thing: SceneObject, scene: Scene) -> set[str]:
+    """Return the ids of all that a thing is in or on, however deep."""
+    found: set[str] = set()
+    waiting = list(thing.parents)
+    while waiting:
+        parent = waiting.pop()
+        if parent not in found and parent in scene.by_id:
+            found.add(parent)
+            waiting.extend(scene.by_id[parent].parents)
+    return found
 
 
 def _parents(

@@ -39,7 +39,7 @@ BREADTH = {"Ladle": 0.09, "Spatula": 0.07}
 FOOT = {"DeskLamp": 0.5, "HousePlant": 0.6, "Television": 0.4}
 """What part of its box's width a thing takes up where it stands."""
 BUILT_IN = frozenset(
-    "Blinds CounterTop Curtains Drawer Faucet Mirror Painting Poster Sink SinkBasin Window".split()
+    "Blinds CounterTop Curtains Drawer Faucet Mirror Painting Poster Window".split()
 )
 """What real rooms list in basins and on tables because boxes overlap, and is not in the way."""
 

@@ -1,11 +1,12 @@
 """Where a thing at some pose rests: which receptacle that pose lies in or on."""
 
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import NamedTuple
 
 from reibench.household.geometry import bottom, footprint, top, volume
 from reibench.household.objects import SURFACES, object_type
-from reibench.scene import CONTAINERS, SceneObject
+from reibench.scene import CONTAINERS, Box, SceneObject, Vector
 
 AT_REST = 0.12
 """Metres from a receptacle within which a thing still counts as lying in or on it."""
@@ -37,7 +38,22 @@ def resting_place(thing: SceneObject, receptacles: Iterable[SceneObject]) -> Res
 def gap(thing: SceneObject, receptacle: SceneObject) -> float:
     """Return how many metres `thing` is from lying in or on `receptacle`."""
     x, _, z = thing.box.center
-    return footprint(receptacle.box).distance(x, z) + _above(bottom(thing.box), receptacle)
+    area = footprint(receptacle.box)
+    if receptacle.pickupable:
+        # What stands beside a bowl reaches into its box's corners.
+        area = area.grown(-min(receptacle.box.size.x, receptacle.box.size.z) / 4)
+    return area.distance(x, z) + _above(bottom(thing.box), receptacle)
+
+
+def posed(thing: SceneObject, position: Vector, yaw: float) -> SceneObject:
+    """Return `thing` somewhere else, with its box turned by the nearest quarter turn."""
+    (x, y, z), (width, height, depth) = thing.box
+    x, y, z = (m - p for m, p in zip((x, y, z), thing.position, strict=True))
+    for _ in range(round((yaw - thing.yaw) / 90) % 4):
+        x, z, width, depth = z, -x, depth, width
+    middle = Vector(position.x + x, position.y + y, position.z + z)
+    box = Box(middle, Vector(width, height, depth))
+    return replace(thing, position=position, yaw=yaw, box=box)
 
 
 def _rank(thing: SceneObject, rest: Rest) -> int:

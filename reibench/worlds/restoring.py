@@ -6,7 +6,7 @@ matched by type, and where the furniture has moved a thing goes to the nearest p
 
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import permutations
 from math import dist
 
@@ -15,8 +15,8 @@ from reibench.errors import InvalidEpisode
 from reibench.household.geometry import bottom, top
 from reibench.household.objects import SURFACES
 from reibench.household.placement import surface
-from reibench.household.resting import AT_REST, resting_place
-from reibench.scene import Box, Scene, SceneObject, Vector
+from reibench.household.resting import AT_REST, posed, resting_place
+from reibench.scene import Scene, SceneObject, Vector
 
 MOST_MATCHINGS = 7
 """Of more things of one type than this, each in turn takes its nearest pose."""
@@ -35,8 +35,6 @@ class Restored:
     """Where it is to go: as wanted, or in or on the receptacle nearest to that."""
     receptacle: str
     """Id of what it ends in or on."""
-    shift: float
-    """Metres from where it was wanted."""
 
 
 def restored(scene: Scene, poses: Sequence[ObjectPose]) -> list[Restored]:
@@ -127,17 +125,15 @@ def _each_nearest(
 
 def _settle(thing: SceneObject, pose: ObjectPose, fixed: Sequence[SceneObject]) -> Restored:
     """Let a thing lie where it should, or in or on what is nearest to that and may hold it."""
-    offset = Vector(*(m - p for m, p in zip(thing.box.center, thing.position, strict=True)))
-    middle = Vector(*(p + o for p, o in zip(pose.position, offset, strict=True)))
-    there = replace(thing, box=Box(middle, thing.box.size))
+    there = posed(thing, pose.position, pose.rotation.y)
     rest = resting_place(there, fixed)
     if rest is None or rest.gap <= AT_REST:
         parent = rest.receptacle.id if rest else ""
-        return Restored(pose, thing.name, pose.position, parent, 0.0)
+        return Restored(pose, thing.name, pose.position, parent)
     inside = _moved_into(there, rest.receptacle)
-    position = Vector(*(m - o for m, o in zip(inside, offset, strict=True)))
-    shift = dist(position, pose.position)
-    return Restored(pose, thing.name, position, rest.receptacle.id, shift)
+    way = (new - old for new, old in zip(inside, there.box.center, strict=True))
+    position = Vector(*(p + w for p, w in zip(pose.position, way, strict=True)))
+    return Restored(pose, thing.name, position, rest.receptacle.id)
 
 
 def _moved_into(thing: SceneObject, receptacle: SceneObject) -> Vector:

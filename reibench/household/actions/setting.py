@@ -5,7 +5,7 @@ from math import dist
 from typing import Any
 
 from reibench.household.actions import Refused, action, interactable, vector
-from reibench.household.resting import AT_REST, resting_place
+from reibench.household.resting import AT_REST, gap, posed, resting_place
 from reibench.household.state import Settings, State
 from reibench.scene import SceneObject, Vector
 
@@ -150,26 +150,16 @@ def _put_at(state: State, thing: SceneObject, position: Vector, turn: float | No
     unmoved = dist(position, thing.position) < UNMOVED and (turn is None or turn == thing.yaw)
     if unmoved and not thing.pickupable and state.held != thing.id:
         return
-    quarters = 0 if turn is None else round((float(turn) - thing.yaw) / 90) % 4
-    offset, size = _turned(thing, quarters)
-    there = Vector(*(a + b for a, b in zip(position, offset, strict=True)))
-    state.put(thing.id, there, size)
-    state.change(thing.id, position=position, yaw=thing.yaw if turn is None else float(turn))
-    state.put(thing.id, there, receptacle=_receptacle_at(state, state.objects[thing.id]))
-
-
-def _turned(thing: SceneObject, quarters: int) -> tuple[Vector, Vector]:
-    """Return a thing's middle, from its position, and its size after quarter turns clockwise."""
-    middle = (new - old for new, old in zip(thing.box.center, thing.position, strict=True))
-    (x, y, z), (width, height, depth) = middle, thing.box.size
-    for _ in range(quarters):
-        x, z, width, depth = z, -x, depth, width
-    return Vector(x, y, z), Vector(width, height, depth)
+    there = posed(thing, position, thing.yaw if turn is None else float(turn))
+    state.put(thing.id, there.box.center, there.box.size)
+    state.change(thing.id, position=position, yaw=there.yaw)
+    receptacle = _receptacle_at(state, state.objects[thing.id])
+    state.put(thing.id, there.box.center, receptacle=receptacle)
 
 
 def _receptacle_at(state: State, thing: SceneObject) -> str:
     """Return the id of the receptacle a thing at its place is in or on."""
     own = {thing.id, state.held, *(inner.id for inner in state.inside(thing.id))}
     others = (o for o in state.objects.values() if o.receptacle and o.id not in own)
-    rest = resting_place(thing, others)
-    return rest.receptacle.id if rest and rest.gap <= AT_REST else ""
+    rest = resting_place(thing, (other for other in others if gap(thing, other) <= AT_REST))
+    return rest.receptacle.id if rest else ""
