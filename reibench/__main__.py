@@ -9,6 +9,7 @@ from reibench.commands import (
     benching,
     building,
     checking,
+    importing,
     listing,
     replaying,
     running,
@@ -27,6 +28,7 @@ COMMANDS = {
     "replay": (replaying, "play records again, and verify that they come out the same"),
     "sample": (sampling, "a balanced choice of episodes, frozen in a manifest"),
     "build-dataset": (building, "episodes from scripts, and scripts from seeds"),
+    "import": (importing, "bring in rooms and trials from elsewhere"),
     "check-dataset": (checking, "are the episodes sound, and can they be solved?"),
     "bench": (benching, "measure speed and memory"),
 }

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from reibench.dataset.check_words import word_problems, words_of
 from reibench.dataset.forms import says
-from reibench.dialogue import ReferringExpression, Utterance
+from reibench.dialogue import EXPLICIT_ALONE, ReferringExpression, Utterance
 from reibench.episode import Episode, TaskType
 from reibench.errors import ReibenchError
 from reibench.household import Room, load_room
@@ -19,6 +19,9 @@ NOISE_MENTIONS = 3
 
 def problems(episode: Episode) -> list[str]:
     """Return everything wrong with `episode`, one sentence each; an empty list if it is sound."""
+    if episode.vagueness == EXPLICIT_ALONE:
+        # people's own words, not made to any rule, and not marked
+        return [*_alone_problems(episode), *_span_problems(episode), *_room_problems(episode)]
     return [
         *_turn_problems(episode),
         *_span_problems(episode),
@@ -27,6 +30,11 @@ def problems(episode: Episode) -> list[str]:
         *_room_problems(episode),
         *_candidate_problems(episode),
     ]
+
+
+def _alone_problems(episode: Episode) -> Iterator[str]:
+    if [utterance.speaker for utterance in episode.dialogue.utterances] != ["human"]:
+        yield "an instruction alone is one utterance, and the human's"
 
 
 def _turn_problems(episode: Episode) -> Iterator[str]:

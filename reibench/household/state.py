@@ -74,7 +74,7 @@ class State:
         self.settings = settings
         self.objects: Objects = room.by_id
         self.footprints = room.footprints
-        self.openness: dict[str, float] = {}
+        self.openness = dict(room.openness)
         self.held = next((thing.id for thing in room.objects if thing.held), "")
         self.warmth: dict[str, int] = {}
         """When each hot or cold thing was last kept so."""
@@ -166,6 +166,9 @@ class State:
         box, position = Box(middle, size or thing.box.size), Vector(x + dx, y + dy, z + dz)
         moved = {name: altered(thing, position=position, box=box, **fields)}
         for each in self.inside(name):
+            # In real rooms a mug in the sink can list the basin as its contents.
+            if not (each.pickupable or (each.moveable and not thing.pickupable)):
+                continue
             x, y, z = each.position
             box, position = shifted(each.box, dx, dy, dz), Vector(x + dx, y + dy, z + dz)
             moved[each.id] = altered(each, position=position, box=box)
