@@ -33,9 +33,18 @@ from reibench.dataset.realise.wording import Use, Wording, Wordsmith
 from reibench.dataset.scripts import Mention, Passage, Script, Turn
 from reibench.dataset.seeds import kind_of
 from reibench.dialogue import Speaker, Vagueness
-from reibench.episode import Goal, Task
+from reibench.episode import Goal, Task, TaskType
 from reibench.errors import ReibenchError
 
+_BASINS = ("Sink", "SinkBasin", "Bathtub", "BathtubBasin")
+_UNEXPECTED = {
+    TaskType.HEAT: ("Fridge", *_BASINS),
+    TaskType.COOL: ("Microwave", *_BASINS),
+    TaskType.CLEAN: _BASINS,
+}
+"""Where nobody expects a thing after its treatment."""
+SETTINGS = ("bin", "odd")
+"""What parts may be about besides kinds of things: see their README."""
 LEAST_WORDS = 20
 """In each turn of the context (appendix B.1)."""
 TRIES = 50
@@ -144,16 +153,20 @@ class Realiser:
 
     def _pool(self, role: Role, kind: str, goal: Goal) -> tuple[Part, ...]:
         """Return the parts that may be used, which give away none of the task objects."""
-        key = (role, kind, replace(goal, destination=""))
+        key = (role, kind, replace(goal, destination=_setting(goal)))
         if key not in self._pools:
             words = [word for name in _counted(goal) for word in names()[name].words]
-            self._pools[key] = tuple(
+            mine = [
                 part
                 for part in parts()
                 if part.role == role
                 and goal.task_type in part.tasks
-                and (not part.kinds or part.kinds & {kind, goal.object})
                 and not any(says(part.text, word) for word in words)
+            ]
+            special = [part for part in mine if part.kinds & {_setting(goal)}]
+            self._pools[key] = tuple(
+                special
+                or (part for part in mine if not part.kinds or part.kinds & {kind, goal.object})
             )
         return self._pools[key]
 
@@ -194,6 +207,13 @@ class Realiser:
                 and not any(says(each.text, word) for word in words)
             )
         return self._words[key]
+
+
+def _setting(goal: Goal) -> str:
+    """Return which setting a goal is in, where it is in any."""
+    if goal.destination == "GarbageCan":
+        return "bin"
+    return "odd" if goal.destination in _UNEXPECTED.get(goal.task_type, ()) else ""
 
 
 def _counted(goal: Goal) -> tuple[str, ...]:

@@ -16,6 +16,8 @@ _PLACES = {
     "GarbageCan": "bin",
     "StoveBurner": "stove",
     "Bathtub": "bath",
+    "BathtubBasin": "bath",
+    "SinkBasin": "sink",
     "ToiletPaperHanger": "holder on the wall",
     "TVStand": "television stand",
 }

@@ -12,14 +12,6 @@ from reibench.household import Room
 
 STARTS = 1000
 """How many places the robot may start from."""
-_ODD = {
-    TaskType.PICK: ("GarbageCan",),
-    TaskType.HEAT: ("Fridge", "Sink"),
-    TaskType.COOL: ("Sink",),
-    TaskType.CLEAN: ("GarbageCan",),
-}
-"""Destinations that ALFRED knows, but nobody talks of as the parts do."""
-
 Solvable = Callable[[Task], bool]
 
 
@@ -78,7 +70,7 @@ def _by_object(rooms: Sequence[Room]) -> Options:
     for task_type in PROPORTIONS:
         mine: dict[str, list[tuple[Goal, Room]]] = defaultdict(list)
         for goal, room in options(rooms, task_type):
-            if goal.destination not in _ODD.get(task_type, ()) and not _alike(goal):
+            if not _alike(goal):
                 mine[goal.object].append((goal, room))
         if mine:
             found[task_type] = dict(mine)
