@@ -3,7 +3,7 @@
 from argparse import ArgumentParser, Namespace
 from pathlib import Path
 
-from reibench.commands.building import modelled, realised
+from reibench.commands.building import alfred, modelled, realised
 from reibench.commands.output import tell
 from reibench.dataset.files import SHIPPED, write_episodes
 from reibench.dataset.levels import derive
@@ -22,6 +22,7 @@ def add(command: ArgumentParser) -> None:
     command.add_argument("--seed", type=int, default=1, help="decides whatever is left to chance")
     realised.add(command)
     modelled.add(command)
+    alfred.add(command)
     command.set_defaults(command=build_command)
 
 
@@ -30,6 +31,9 @@ def build_command(arguments: Namespace) -> int:
     if arguments.realise is not None:
         _keep_apart(arguments.out)
         return realised.build(arguments)
+    if arguments.alfred is not None:
+        _keep_apart(arguments.out)
+        return alfred.build_from_alfred(arguments)
     if arguments.model is not None:
         _keep_apart(arguments.out)
         return modelled.build_modelled(arguments)

@@ -8,7 +8,7 @@ from reibench.commands.checking import unsolved
 from reibench.commands.output import tell
 from reibench.dataset.files import stream_episodes
 from reibench.dataset.levels import derive
-from reibench.dataset.lexicon import held_out
+from reibench.dataset.lexicon import Lexicon, held_out
 from reibench.dataset.realise.compose import Realiser
 from reibench.dataset.realise.tasks import tasks
 from reibench.dialogue import LEVELS, Dialogue, Utterance, Vagueness
@@ -57,9 +57,13 @@ def solvable(task: Task) -> bool:
     return not unsolved(Episode(task, UNSAID, LEVELS[0]))
 
 
+def kept_lexicon(arguments: Namespace) -> Lexicon:
+    """Return the lexicon without what `--exclude-lexicon` holds out."""
+    return held_out(arguments.exclude_lexicon, arguments.seed)[0]
+
+
 def _episodes(arguments: Namespace, levels: tuple[Vagueness, ...]) -> Iterator[Episode]:
-    kept, _ = held_out(arguments.exclude_lexicon, arguments.seed)
-    realiser = Realiser(kept)
+    realiser = Realiser(kept_lexicon(arguments))
     names = arguments.rooms.split(",") if arguments.rooms else room_names()
     rooms = [load_room(name.strip()) for name in names]
     for seed in islice(tasks(rooms, arguments.seed, solvable), arguments.realise):
