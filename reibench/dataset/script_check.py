@@ -201,7 +201,7 @@ def _task(script: Script) -> Iterator[str]:
     heating = script.goal.task_type in (TaskType.HEAT, TaskType.COOL, TaskType.CLEAN)
     request = derive(script)[0].dialogue.instruction.text.lower()
     wanted = {TaskType.HEAT: HEATING, TaskType.COOL: COOLING, TaskType.CLEAN: CLEANING}
-    if heating and not re.search(wanted[script.goal.task_type], request):
+    if heating and not re.search(rf"\b(?:re)?(?:{wanted[script.goal.task_type]})", request):
         yield f"the request does not say that the {script.goal.object} is to be treated"
     if script.goal.task_type is TaskType.EXAMINE and not re.search(LIGHTING, request):
         yield "the request does not say that the light is to be on"

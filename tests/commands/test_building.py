@@ -5,6 +5,7 @@ import json
 import pytest
 
 from reibench.__main__ import main
+from reibench.dataset.check import problems
 from reibench.dataset.files import SHIPPED, read_episodes
 from reibench.dataset.realise import ORIGIN
 
@@ -106,4 +107,43 @@ def test_a_model_without_seeds_is_refused(tmp_path, monkeypatch, capsys, argumen
     monkeypatch.chdir(tmp_path)
     call = ["build-dataset", "--model", "scripted:x", "--out", "x.jsonl", *arguments]
     assert main(call) == 2
+    assert said in capsys.readouterr().err
+
+
+def test_alfreds_own_words_become_sound_sets_of_nine(tmp_path, capsys, monkeypatch, shared_data):
+    monkeypatch.setenv("REIBENCH_ROOMS", str(tmp_path / "rooms"))
+    assert main(["import", "ithor", str(shared_data / "ithor")]) == 0
+    out = tmp_path / "alfred.jsonl.gz"
+    trials = ["--alfred", str(shared_data / "alfred"), "--seeds", "60", "--seed", "1"]
+    capsys.readouterr()
+    assert main(["build-dataset", *trials, "--out", str(out), "--json"]) == 0
+    report = json.loads(capsys.readouterr().out)
+    assert report["kept"] >= 40
+    assert report["kept"] + sum(report["dropped"].values()) == report["trials"] == 60
+    episodes = read_episodes(out)
+    assert len(episodes) == report["episodes"] == 9 * report["kept"]
+    assert {found for episode in episodes for found in problems(episode)} == set()
+    assert all(episode.task.setup.poses for episode in episodes)
+    assert {episode.origin for episode in episodes} == {ORIGIN}
+
+
+def test_without_rooms_every_trial_is_dropped_for_that(tmp_path, capsys, shared_data):
+    out = tmp_path / "alfred.jsonl"
+    trials = ["--alfred", str(shared_data / "alfred"), "--seeds", "8"]
+    assert main(["build-dataset", *trials, "--out", str(out), "--json"]) == 0
+    report = json.loads(capsys.readouterr().out)
+    assert report["kept"] == 0
+    assert report["dropped"]["room: it is not there"] >= 4
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["--seeds", "some.txt", "--out", "x.jsonl"], "--seeds is a number of trials: 'some.txt'"),
+        (["--out", "x.txt"], "Scripts cannot hold a trial's poses"),
+        (["--out", str(SHIPPED / "x.jsonl")], "name another file with --out"),
+    ],
+)
+def test_alfred_wants_a_number_and_an_episode_file(shared_data, capsys, arguments, said):
+    assert main(["build-dataset", "--alfred", str(shared_data / "alfred"), *arguments]) == 2
     assert said in capsys.readouterr().err

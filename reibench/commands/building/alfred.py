@@ -88,7 +88,10 @@ def _outcomes(trials: Sequence[Trial], arguments: Namespace) -> Iterator[TrialOu
 
 
 def _why_unsolved(task: Task) -> str:
-    return unsolved(Episode(replace(task, id="unsaid"), UNSAID, LEVELS[0]))
+    try:
+        return unsolved(Episode(replace(task, id="unsaid"), UNSAID, LEVELS[0]))
+    except ReibenchError as problem:  # a trial that cannot be set up is dropped like others
+        return str(problem)
 
 
 def _report(arguments: Namespace, outcomes: Sequence[TrialOutcome], episodes: int) -> None:

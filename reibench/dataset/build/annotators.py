@@ -38,6 +38,7 @@ _TREATED = {
 }
 """Words that say the treatment; annotators saw water run and often wrote just *wet*."""
 _SLICED = re.compile(r"\b(?:slic|cut|knife|piece|chop|half)", re.IGNORECASE)
+_KNIFE = re.compile(r"(?<!with a )(?<!with the )(?<!using a )(?<!using the )\bknife", re.IGNORECASE)
 _OFF = re.compile(r"\bturn(?:ing|ed)?\b[^.]*\boff\b", re.IGNORECASE)
 _FROM = re.compile(
     r"\b(?:from|off|out of) (?:of )?(?:the|a|an) [\w ]+?(?= to | into | in | on |,|\.|$)", re.I
@@ -114,7 +115,9 @@ def read(trial: Trial, number: int, present: Sequence[str]) -> WrittenSeed:
 
 
 def _check_goal(goal: Goal, text: str) -> None:
-    if goal.task_type in _TREATED and not re.search(_TREATED[goal.task_type], text, re.IGNORECASE):
+    if goal.task_type in _TREATED and not re.search(
+        rf"\b(?:re|micro)?(?:{_TREATED[goal.task_type]})", text, re.IGNORECASE
+    ):
         raise Unfit("the goal is not said", f"{text!r} leaves out what is to be done.")
     if goal.task_type is TaskType.EXAMINE:
         if _OFF.search(text):
@@ -130,6 +133,8 @@ def _check_goal(goal: Goal, text: str) -> None:
     cut = _SLICED.search(text) is not None
     if goal.sliced and not cut:
         raise Unfit("the goal is not said", f"{text!r} does not speak of a slice.")
+    if goal.sliced and _KNIFE.search(text):
+        raise Unfit("more than the goal", f"{text!r} wants the knife put away, too.")
     if cut and not goal.sliced and "Knife" not in goal.object:
         raise Unfit("more than the goal", f"{text!r} speaks of cutting.")
     tool = "|".join(map(re.escape, names()[goal.object].words))

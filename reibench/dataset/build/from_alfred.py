@@ -47,8 +47,12 @@ def chosen_seed(trial: Trial, unsolved: Unsolved) -> tuple[tuple[Sorted, ...], O
     if first is None:
         return found, None
     if why := unsolved(first.seed.task):
-        return found, Outcome(first.seed, None, "room", "the expert does not solve it", why)
+        return found, Outcome(first.seed, None, "room", _in_short(why), why)
     return found, Outcome(first.seed)
+
+
+def _in_short(why: str) -> str:
+    return "it is not there" if why.startswith("No room called") else "the expert does not solve it"
 
 
 def realise_trials(

@@ -12,6 +12,7 @@ from reibench.skill import in_words
 OWN = frozenset(("desk", "leisure", "dish"))
 """Kinds of things that people call theirs."""
 _PLACES = {
+    "ArmChair": "armchair",
     "CounterTop": "counter",
     "GarbageCan": "bin",
     "StoveBurner": "stove",

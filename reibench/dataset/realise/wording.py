@@ -144,7 +144,7 @@ class Wordsmith:
 
     def _take(self, use: Use, *, clear: bool) -> Expression | None:
         """Take an expression that suits; a used one only when there is no other."""
-        banned = ("something ",) if use.slot.way == "the" else ("something ", "what")
+        banned = ("something ", "a ") if use.slot.way == "the" else ("something ", "a ", "what")
         for pool in (self._fresh, self._all):
             suited = [e for e in pool if not e.text.startswith(banned)]
             suited = [e for e in suited if use.suits(said_by(e.text, use.speaker))]
@@ -172,7 +172,7 @@ class Wordsmith:
 
     def _named(self, use: Use, *, first: bool) -> str:
         noun = self._choose.choice(self._noun.first if first else self._noun.later)
-        if use.slot.way == "a":
+        if use.slot.way == "a" or (use.slot.way == "my" and first and self._noun.number == "mass"):
             bare = self._noun.is_plural or (self._noun.number == "mass" and not first)
             return noun if bare else f"{article(noun)} {noun}"
         mine = "my" if use.speaker == "human" else "your"
