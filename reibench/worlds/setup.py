@@ -1,6 +1,7 @@
 """Setting up a task's room through AI2-THOR actions, the same for both simulators."""
 
 import random
+from collections.abc import Sequence
 from math import dist
 
 from reibench.episode import SceneSetup
@@ -78,18 +79,22 @@ def _must(simulator: Simulator, action: str, **arguments: object) -> None:
 def _stand(simulator: Simulator, seed: int) -> None:
     """Start somewhere free, so that no start is nearer to the solution by design."""
     choose = random.Random(seed)
-    place = choose.choice(simulator.reachable())
+    place = choose.choice(_reachable(simulator))
     _must(simulator, "Teleport", **_pose(place, choose.choice((0.0, 90.0, 180.0, 270.0)), 30.0))
 
 
 def _stand_near(simulator: Simulator, start: Pose) -> None:
     """Start where the trial does, or at the free place nearest to it."""
     if not simulator.act("Teleport", **_pose(*start[:3])).success:
-        places = simulator.reachable()
-        if not places:
-            raise InvalidEpisode("There is nowhere in the room for the robot to stand.")
-        near = min(places, key=lambda place: dist(place, start.position))
+        near = min(_reachable(simulator), key=lambda place: dist(place, start.position))
         _must(simulator, "Teleport", **_pose(near, start.yaw, start.horizon))
+
+
+def _reachable(simulator: Simulator) -> Sequence[Vector]:
+    places = simulator.reachable()
+    if not places:
+        raise InvalidEpisode("There is nowhere in the room for the robot to stand.")
+    return places
 
 
 def _pose(place: Vector, yaw: float, horizon: float) -> dict[str, object]:

@@ -13,7 +13,7 @@ from reibench.dataset.realise.compose import Realiser
 from reibench.dataset.realise.tasks import tasks
 from reibench.dialogue import LEVELS, Dialogue, Utterance, Vagueness
 from reibench.episode import Episode, Task
-from reibench.errors import ReibenchError
+from reibench.errors import InvalidEpisode, ReibenchError
 from reibench.household import load_room, room_names
 
 UNSAID = Dialogue((Utterance("human", ""),))
@@ -53,8 +53,11 @@ def wanted_levels(text: str | None) -> tuple[Vagueness, ...]:
 
 
 def solvable(task: Task) -> bool:
-    """Whether the expert solves `task`."""
-    return not unsolved(Episode(task, UNSAID, LEVELS[0]))
+    """Whether the expert solves `task`, in a room where it can stand at all."""
+    try:
+        return not unsolved(Episode(task, UNSAID, LEVELS[0]))
+    except InvalidEpisode:
+        return False
 
 
 def kept_lexicon(arguments: Namespace) -> Lexicon:
