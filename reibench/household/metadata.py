@@ -5,8 +5,10 @@ from itertools import product
 from typing import Any
 
 from reibench.errors import InvalidRoom
+from reibench.household.cameras import camera_metadata
 from reibench.household.geometry import forward, volume
 from reibench.household.objects import ObjectType, object_type
+from reibench.household.scenes import room_name, scene_name
 from reibench.household.state import HAND_DISTANCE, HAND_HEIGHT, Moment
 from reibench.scene import Box, Pose, Scene, SceneObject, Vector
 
@@ -16,12 +18,11 @@ NOWHERE = {"x": 0.0, "y": 0.0, "z": 0.0}
 Metadata = dict[str, Any]
 
 
-def agent_metadata(moment: Moment, *, width: int = 300, height: int = 300) -> Metadata:
-    """Return all that AI2-THOR reports of a moment, but for how the last action went."""
+def agent_metadata(moment: Moment) -> Metadata:
+    """Return what AI2-THOR reports of a moment, but for objects and how the last action went."""
     scene, pose = moment.scene, moment.agent
-    held = scene.held
+    held, (width, height) = scene.held, moment.settings.screen
     return {
-        "objects": [object_metadata(moment, thing) for thing in scene.objects],
         "isSceneAtRest": True,
         "agent": {
             "name": "agent",
@@ -33,14 +34,14 @@ def agent_metadata(moment: Moment, *, width: int = 300, height: int = 300) -> Me
         },
         "heldObjectPose": _hand(pose),
         "arm": None,
-        "fov": moment.field_of_view,
+        "fov": moment.settings.field_of_view,
         "cameraPosition": _point(_camera(pose)),
         "cameraOrthSize": 0.0,
-        "thirdPartyCameras": [],
+        "thirdPartyCameras": [camera_metadata(*each) for each in enumerate(moment.cameras)],
         "collided": False,
         "collidedObjects": [],
         "inventoryObjects": [{"objectId": held.id, "objectType": held.type}] if held else [],
-        "sceneName": scene.room,
+        "sceneName": scene_name(scene.room),
         "screenWidth": width,
         "screenHeight": height,
         "agentId": 0,
@@ -137,7 +138,7 @@ def _read(metadata: Mapping[str, Any]) -> Scene:
     agent = metadata.get("agent")
     bounds = metadata.get("sceneBounds")
     return Scene(
-        room=str(metadata.get("sceneName", "")).removesuffix("_physics"),
+        room=room_name(str(metadata.get("sceneName", ""))),
         objects=objects,
         agent=_read_pose(agent) if agent else Pose(Vector(0.0, 0.0, 0.0), 0.0),
         visible=frozenset(each["objectId"] for each in described if each["visible"]),

@@ -1,0 +1,44 @@
+"""The build: what stands where Unity would, a controller that answers the client's actions."""
+
+from contextlib import suppress
+from typing import Any
+
+from reibench.household.controller import Controller, Misuse
+from reibench.household.rooms import Room
+from reibench.household.unity.channel import Answer
+from reibench.scene import Box, Pose, Vector
+
+NAME = "reibench.household.unity"
+"""What the metadata say under `standIn`, which Unity's metadata lack."""
+NOWHERE = Vector(0.0, 0.0, 0.0)
+LOBBY = Room("", "", Box(NOWHERE, NOWHERE), (), Pose(NOWHERE, 0.0))
+"""Where the robot is before the client asks for a room."""
+
+
+class Build:
+    """One running build: a controller, and the number of the client's last request."""
+
+    def __init__(self, screen: tuple[int, int]) -> None:
+        width, height = screen
+        self._controller = Controller(LOBBY, width=width, height=height)
+
+    def hello(self) -> Answer:
+        """Return what a build sends unasked when it is up."""
+        return Answer(self._metadata(0))
+
+    def answer(self, request: dict[str, Any]) -> Answer:
+        """Carry out what the client asks for."""
+        action = request.pop("action")
+        number = request.pop("sequenceId")
+        with suppress(Misuse):  # The event it leaves says so, and the client raises it again.
+            self._controller.step(action, **request)
+        return Answer(self._metadata(number))
+
+    def _metadata(self, number: int) -> dict[str, Any]:
+        agent = self._controller.last_event.metadata | {"standIn": NAME}
+        return {
+            "agents": [agent],
+            "sequenceId": number,
+            "activeAgentId": 0,
+            "thirdPartyCameras": agent["thirdPartyCameras"],
+        }
