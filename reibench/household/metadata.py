@@ -35,7 +35,7 @@ def agent_metadata(moment: Moment) -> Metadata:
         "heldObjectPose": _hand(pose),
         "arm": None,
         "fov": moment.settings.field_of_view,
-        "cameraPosition": _point(_camera(pose)),
+        "cameraPosition": _point(camera_position(pose)),
         "cameraOrthSize": 0.0,
         "thirdPartyCameras": [camera_metadata(*each) for each in enumerate(moment.cameras)],
         "collided": False,
@@ -208,7 +208,8 @@ def _turn(yaw: float) -> dict[str, float]:
     return {"x": 0.0, "y": yaw, "z": 0.0}
 
 
-def _camera(pose: Pose) -> Vector:
+def camera_position(pose: Pose) -> Vector:
+    """Return where the robot's eye is."""
     return pose.position._replace(y=pose.position.y + (CAMERA if pose.standing else 0.0))
 
 

@@ -1,12 +1,15 @@
 """The build: what stands where Unity would, a controller that answers the client's actions."""
 
 from contextlib import suppress
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from reibench.household.controller import Controller, Misuse
 from reibench.household.rooms import Room
 from reibench.household.unity.channel import Answer
 from reibench.scene import Box, Pose, Vector
+
+if TYPE_CHECKING:
+    from reibench.household.unity.frames import Frames
 
 NAME = "reibench.household.unity"
 """What the metadata say under `standIn`, which Unity's metadata lack."""
@@ -21,6 +24,7 @@ class Build:
     def __init__(self, screen: tuple[int, int]) -> None:
         width, height = screen
         self._controller = Controller(LOBBY, width=width, height=height)
+        self._frames: Frames | None = None
 
     def hello(self) -> Answer:
         """Return what a build sends unasked when it is up."""
@@ -30,9 +34,22 @@ class Build:
         """Carry out what the client asks for."""
         action = request.pop("action")
         number = request.pop("sequenceId")
+        wants_frames = request.get("renderImage", True)
         with suppress(Misuse):  # The event it leaves says so, and the client raises it again.
             self._controller.step(action, **request)
-        return Answer(self._metadata(number))
+        if not wants_frames or self._controller.room is LOBBY:
+            return Answer(self._metadata(number))
+        moment, frames = self._controller.last_event.moment, self._drawing()
+        robot, cameras = frames.of_robot(moment), frames.of_cameras(moment)
+        return Answer(self._metadata(number), [robot], cameras)
+
+    def _drawing(self) -> "Frames":
+        if self._frames is None:
+            # Loaded with the first frame wanted: whoever wants none need not wait for NumPy.
+            from reibench.household.unity.frames import Frames
+
+            self._frames = Frames()
+        return self._frames
 
     def _metadata(self, number: int) -> dict[str, Any]:
         agent = self._controller.last_event.metadata | {"standIn": NAME}
