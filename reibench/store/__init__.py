@@ -39,6 +39,7 @@ class Entry:
     actor: str
     episode: str
     rules: str
+    world: str
     max_steps: int
     status: str | None
     """None while in progress."""
@@ -203,7 +204,8 @@ class Store(DatabaseFile):
     def entries(self, where: str = "1", parameters: Iterable[object] = ()) -> list[Entry]:
         """Return the records that fit a condition over their columns, oldest first."""
         rows = self.query(
-            "select id, run, origin, visitor, actor, episode, rules, max_steps, status"
+            "select id, run, origin, visitor, actor, episode, rules, max_steps, status,"
+            " (select json_extract(spec, '$.world') from runs where runs.id = run) as world"
             f" from records where {where} order by started, rowid",
             parameters,
         )
