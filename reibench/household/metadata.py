@@ -57,8 +57,6 @@ def agent_metadata(moment: Moment) -> Metadata:
 def object_metadata(moment: Moment, thing: SceneObject) -> Metadata:
     """Return what AI2-THOR reports of one object."""
     kind = object_type(thing.type)
-    (x, y, z), here = thing.position, moment.agent.position
-    distance = ((x - here.x) ** 2 + (y - here.y) ** 2 + (z - here.z) ** 2) ** 0.5
     seen = thing.id in moment.scene.visible
     openness = moment.openness.get(thing.id, 1.0) if thing.open else 0.0
     return {
@@ -70,7 +68,7 @@ def object_metadata(moment: Moment, thing: SceneObject) -> Metadata:
         "rotation": _turn(thing.yaw),
         "visible": seen,
         "isInteractable": seen,
-        "distance": distance,
+        "distance": distance_between(thing.position, moment.agent.position),
         "receptacle": thing.receptacle,
         "receptacleObjectIds": None if thing.contents is None else list(thing.contents),
         "parentReceptacles": list(thing.parents) or None,
@@ -88,6 +86,12 @@ def object_metadata(moment: Moment, thing: SceneObject) -> Metadata:
         "axisAlignedBoundingBox": _box(thing.box),
         "objectOrientedBoundingBox": _corners(thing.box) if thing.pickupable else None,
     }
+
+
+def distance_between(point: Vector, other: Vector) -> float:
+    """Return how far two points are apart, in metres."""
+    (x, y, z), (other_x, other_y, other_z) = point, other
+    return float(((x - other_x) ** 2 + (y - other_y) ** 2 + (z - other_z) ** 2) ** 0.5)
 
 
 def _states(thing: SceneObject) -> Metadata:

@@ -11,8 +11,6 @@ from reibench.scene import Box, Pose, Vector
 if TYPE_CHECKING:
     from reibench.household.unity.frames import Frames
 
-NAME = "reibench.household.unity"
-"""What the metadata say under `standIn`, which Unity's metadata lack."""
 NOWHERE = Vector(0.0, 0.0, 0.0)
 LOBBY = Room("", "", Box(NOWHERE, NOWHERE), (), Pose(NOWHERE, 0.0))
 """Where the robot is before the client asks for a room."""
@@ -28,7 +26,7 @@ class Build:
 
     def hello(self) -> Answer:
         """Return what a build sends unasked when it is up."""
-        return Answer(self._metadata(0))
+        return Answer(self._controller.last_event, 0)
 
     def answer(self, request: dict[str, Any]) -> Answer:
         """Carry out what the client asks for."""
@@ -38,10 +36,10 @@ class Build:
         with suppress(Misuse):  # The event it leaves says so, and the client raises it again.
             self._controller.step(action, **request)
         if not wants_frames or self._controller.room is LOBBY:
-            return Answer(self._metadata(number))
-        moment, frames = self._controller.last_event.moment, self._drawing()
-        robot, cameras = frames.of_robot(moment), frames.of_cameras(moment)
-        return Answer(self._metadata(number), [robot], cameras)
+            return Answer(self._controller.last_event, number)
+        event, frames = self._controller.last_event, self._drawing()
+        robot, cameras = frames.of_robot(event.moment), frames.of_cameras(event.moment)
+        return Answer(event, number, [robot], cameras)
 
     def _drawing(self) -> "Frames":
         if self._frames is None:
@@ -50,12 +48,3 @@ class Build:
 
             self._frames = Frames()
         return self._frames
-
-    def _metadata(self, number: int) -> dict[str, Any]:
-        agent = self._controller.last_event.metadata | {"standIn": NAME}
-        return {
-            "agents": [agent],
-            "sequenceId": number,
-            "activeAgentId": 0,
-            "thirdPartyCameras": agent["thirdPartyCameras"],
-        }

@@ -3,16 +3,20 @@
 import os
 import threading
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
+
+from reibench.household.controller import Event
 
 
 @dataclass(frozen=True)
 class Answer:
     """What the client is sent after an action."""
 
-    metadata: Mapping[str, Any]
+    event: Event
+    number: int
+    """The request's `sequenceId`."""
     frames: Sequence[bytes] = ()
     """RGB images of the robot's eye, bottom row first; none if the action wants none."""
     camera_frames: Sequence[bytes] = ()

@@ -9,6 +9,7 @@ from struct import Struct
 from typing import Any
 
 from reibench.household.unity.channel import Answer
+from reibench.household.unity.packing import MessagePackFormat, Packer
 
 METADATA, ACTION, RGB, CAMERA_RGB, END = 1, 2, 4, 10, 255
 """The kinds of field there are between this build and the client."""
@@ -26,13 +27,12 @@ class FifoChannel:
         self._out = _open_for_writing(server_pipe)
         self._client_pipe = client_pipe
         self._in: int | None = None
+        self._packer = Packer(MessagePackFormat())
         _enlarge(self._out)
 
     def send(self, answer: Answer) -> None:
         """Send the metadata as msgpack and the images as they are."""
-        import msgpack
-
-        parts = _field(METADATA, msgpack.packb(answer.metadata))
+        parts = _field(METADATA, self._packer.pack(answer.event, answer.number))
         for frame in answer.frames:
             parts += _field(RGB, frame)
         for frame in answer.camera_frames:

@@ -11,10 +11,15 @@ from numpy.typing import NDArray
 from reibench.scene import Vector
 
 Floats = NDArray[np.float32]
+Surfaces = NDArray[np.int16]
 SIDES = 6
 """Shades of each colour: surfaces across x, seen from above, across z, from below; insides."""
 SHADES = np.array([0.80, 1.0, 0.66, 0.45, 0.5, 0.55], np.float32)
 FROM_BELOW, INSIDE, INSIDE_FLOOR = 3, 4, 5
+ROOM, BLOCKS = SIDES, 2 * SIDES
+"""Surfaces are numbered: the sky's, the room's, then each block's."""
+FLOOR, ODD_TILE = ROOM + 1, ROOM + 4
+TILES = (160, 138, 114), (150, 128, 105)
 TILE = 0.5
 """Metres along a tile of the floor."""
 EDGE = 0.62
@@ -81,20 +86,19 @@ def cast(view: View, room: Block, blocks: Sequence[Block]) -> NDArray[np.uint8]:
             _draw(
                 rays.at(rows, columns),
                 blocks[number],
-                SIDES * (number + 2),
+                SIDES * number + BLOCKS,
                 (depth[rows, columns], surface[rows, columns]),
                 view,
             )
+    # Seen from below, an underside; of the room it is the ceiling.
     looking_up = np.broadcast_to(rays.inverse[1] > 0, surface.shape)
-    surface[(surface % SIDES == 1) & looking_up] += FROM_BELOW - 1
-    table = _colors(view, room, blocks)
-    image: NDArray[np.uint8] = table[surface]
-    _tile(image, rays, depth, surface == SIDES + 1)
+    surface += ((surface % SIDES == 1) & looking_up) * np.int16(FROM_BELOW - 1)
     edges = surface[1:, 1:] != surface[:-1, 1:]
     edges |= surface[1:, 1:] != surface[1:, :-1]
-    inner = image[1:, 1:]
-    inner[edges] = (inner[edges] * EDGE).astype(np.uint8)
-    return image
+    _tile(surface, rays, depth)
+    table = _colors(view, room, blocks)
+    surface[1:, 1:] += edges * np.int16(len(table) // 2)
+    return table.take(surface).view(np.uint8).reshape(*surface.shape, 4)[:, :, :3]
 
 
 def _rays(view: View) -> Rays:
@@ -135,16 +139,16 @@ def _crossings(rays: Rays, block: Block) -> tuple[list[Floats], list[Floats]]:
     return enters, leaves
 
 
-def _room(view: View, rays: Rays, room: Block) -> tuple[Floats, NDArray[np.int32]]:
+def _room(view: View, rays: Rays, room: Block) -> tuple[Floats, Surfaces]:
     """Return each pixel's distance to the room's far side, and which surface that is."""
     shape = (view.height, view.width)
     enters, leaves = _crossings(rays, room)
     enter = np.maximum(np.maximum(enters[0], enters[1]), enters[2])
     leave = np.minimum(np.minimum(leaves[0], leaves[1]), leaves[2])
-    axis = np.where(leave == leaves[1], 1, np.where(leave == leaves[0], 0, 2))
+    axis = (leave == leaves[1]) + np.int16(2) * (leave == leaves[2])
     seen = np.broadcast_to((enter < leave) & (leave > view.near) & (leave < view.far), shape)
     depth = np.where(seen, leave, np.float32(view.far))
-    surface = np.where(seen, SIDES + axis, 0).astype(np.int32)
+    surface = np.where(seen, ROOM + np.minimum(axis, 2), 0).astype(np.int16)
     return np.ascontiguousarray(depth, np.float32), surface
 
 
@@ -178,7 +182,7 @@ def _draw(
     rays: Rays,
     block: Block,
     number: int,
-    picture: tuple[Floats, NDArray[np.int32]],
+    picture: tuple[Floats, Surfaces],
     view: View,
 ) -> None:
     """Put a block into the picture where it is the nearest so far."""
@@ -186,36 +190,43 @@ def _draw(
     enters, leaves = _crossings(rays, block)
     enter = np.maximum(np.maximum(enters[0], enters[1]), enters[2])
     leave = np.minimum(np.minimum(leaves[0], leaves[1]), leaves[2])
-    hit = (enter <= leave) & (enter > view.near)
-    axis = np.where(enter == enters[1], 1, np.where(enter == enters[0], 0, 2))
+    hit = enter <= leave
+    hit &= enter > view.near
+    axis = np.int16(2) * (enter == enters[2])
+    axis += enter == enters[1]
     if block.opening is not None:
         across, sign = block.opening
         through = (axis == across) & (rays.inverse[across] * sign < 0)
         floor = (leave == leaves[1]) & (rays.inverse[1] < 0)
-        axis = np.where(through, np.where(floor, INSIDE_FLOOR, INSIDE), axis)
+        inside = np.where(floor, np.int16(INSIDE_FLOOR), np.int16(INSIDE))
+        axis = np.where(through, inside, axis)
         enter = np.where(through, leave, enter)
     hit &= enter < depth
     np.copyto(depth, enter, where=hit)
-    np.copyto(surface, axis + number, where=hit, casting="unsafe")
+    axis += np.int16(number)
+    np.copyto(surface, axis, where=hit)
 
 
-def _colors(view: View, room: Block, blocks: Sequence[Block]) -> NDArray[np.uint8]:
-    """Return the colours of all surfaces in order: the sky, the room, the blocks."""
+def _colors(view: View, room: Block, blocks: Sequence[Block]) -> NDArray[np.uint32]:
+    """Return the colours of all surfaces by their number, then again those of their edges."""
     base = np.array([view.sky, room.color, *(block.color for block in blocks)], np.float32)
     table = base[:, None, :] * SHADES[None, :, None]
     table[0] = view.sky
-    table[1] = np.array(room.color, np.float32) * np.array([[0.93], [0.8], [0.87], [1], [1], [1]])
-    return table.reshape(-1, 3).clip(0, 255).astype(np.uint8)
+    table[1] = np.array(room.color) * np.array([[0.93], [0], [0.87], [1], [0], [0]])
+    table[1, [FLOOR - ROOM, ODD_TILE - ROOM]] = TILES
+    flat = table.reshape(-1, 3)
+    both = np.concatenate((flat, flat * EDGE)).clip(0, 255).astype(np.uint8)
+    return np.pad(both, ((0, 0), (0, 1))).view(np.uint32)[:, 0]
 
 
-def _tile(image: NDArray[np.uint8], rays: Rays, depth: Floats, floor: NDArray[np.bool_]) -> None:
+def _tile(surface: Surfaces, rays: Rays, depth: Floats) -> None:
     """Lay tiles on the floor, by which one sees how far things are."""
-    tint = np.array((150, 128, 105), np.uint8), np.array((160, 138, 114), np.uint8)
+    floor = surface == FLOOR
     length = depth[floor]
     x, z = (
         np.broadcast_to(rays.origin[axis], depth.shape)[floor]
         + length / np.broadcast_to(rays.inverse[axis], depth.shape)[floor]
         for axis in (0, 2)
     )
-    odd = (np.floor(x / TILE) + np.floor(z / TILE)).astype(np.int32) & 1
-    image[floor] = np.where(odd[:, None], tint[0], tint[1])
+    odd = (np.floor(x / TILE) + np.floor(z / TILE)).astype(np.int16) & 1
+    surface[floor] = FLOOR + odd * np.int16(ODD_TILE - FLOOR)

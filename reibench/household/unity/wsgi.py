@@ -6,9 +6,10 @@ parser of its own that wants header names spelled as here.
 
 import json
 import socket
-from typing import Any
+from typing import Any, BinaryIO
 
 from reibench.household.unity.channel import Answer
+from reibench.household.unity.packing import JsonFormat, Packer
 
 BOUNDARY = "reibench-household-unity-boundary"
 
@@ -19,13 +20,14 @@ class WsgiChannel:
     def __init__(self, host: str, port: int, token: str) -> None:
         self._address = host, port
         self._token = token
+        self._packer = Packer(JsonFormat())
         self._next: dict[str, Any] | None = None
 
     def send(self, answer: Answer) -> None:
         """Post the metadata as JSON and the images as files, and wait for the next action."""
         parts = [
-            _text("metadata", json.dumps(answer.metadata)),
-            _text("token", self._token),
+            _text("metadata", self._packer.pack(answer.event, answer.number)),
+            _text("token", self._token.encode()),
         ]
         parts += [_image("image", frame) for frame in answer.frames]
         parts += [_image("image-thirdParty-camera", frame) for frame in answer.camera_frames]
@@ -47,22 +49,27 @@ class WsgiChannel:
             connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
             connection.sendall(head.encode() + body)
             with connection.makefile("rb") as response:
-                return _read_response(response.read())
+                return _read_response(response)
 
 
-def _read_response(response: bytes) -> dict[str, Any] | None:
-    head, _, body = response.partition(b"\r\n\r\n")
-    if not head:
+def _read_response(response: BinaryIO) -> dict[str, Any] | None:
+    """Read no further than the body goes: the client lingers until the connection is closed."""
+    status = response.readline().split(None, 2)[1:2]
+    if not status:
         return None
-    status = head.split(None, 2)[1]
-    if status != b"200":
-        raise ConnectionError(f"the client answered with status {status.decode()}")
-    action: dict[str, Any] = json.loads(body)
+    if status != [b"200"]:
+        raise ConnectionError(f"the client answered with status {status[0].decode()}")
+    length = 0
+    while line := response.readline().strip():
+        name, _, value = line.partition(b":")
+        if name.lower() == b"content-length":
+            length = int(value)
+    action: dict[str, Any] = json.loads(response.read(length))
     return action
 
 
-def _text(name: str, text: str) -> bytes:
-    return _part(f'name="{name}"', "text/plain; charset=utf-8", text.encode())
+def _text(name: str, text: bytes) -> bytes:
+    return _part(f'name="{name}"', "text/plain; charset=utf-8", text)
 
 
 def _image(name: str, frame: bytes) -> bytes:
