@@ -7,6 +7,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import warnings
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -48,6 +49,8 @@ class Client(Controller):  # type: ignore[misc]
         self._settings = settings
         self._wire: Any = None
         self._begun = self._over = False
+        # It says so, but `start` does not let it.
+        warnings.filterwarnings("ignore", message="Restarting unity due to crash")
 
     # talking
 
