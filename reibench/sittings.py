@@ -19,6 +19,7 @@ from reibench.store import Entry, Store
 from reibench.watching import Sitting, Watching
 from reibench.worlds import World
 from reibench.worlds.naming import renders, resolve_world
+from reibench.worlds.preparing import Preparation
 
 PERSON = "person"
 WORLDS_KEPT = 64
@@ -54,6 +55,7 @@ class Sittings:
         self._open_model = open_model
         spec = spec or RunSpec()
         self._spec = replace(spec, world=resolve_world(spec.world))
+        self._preparation = Preparation(self._spec.world)
         size = PROCESSES_KEPT if renders(self._spec.world) else WORLDS_KEPT
         self._live: Pool[_Live] = Pool(size, lambda live: live.world.close(), idle=IDLE)
         self._watching = Watching(store, open_model, self._spec)
@@ -180,6 +182,8 @@ class Sittings:
         return self.episodes[episode_id]
 
     def _make(self, episode: Episode, spec: RunSpec) -> _Live:
+        if spec.world == self._spec.world:
+            self._preparation.require()
         world = make_world(spec, frames=renders(spec.world))
         rollout = Rollout(episode, world, max_steps=spec.max_steps)
         try:

@@ -43,6 +43,7 @@ def _in_words(step: int, camera: Camera, scene: Scene) -> str:
     if camera == "above":
         return f"The room from above {when}; the floor plan shows the same."
     seen = [thing for thing in scene.objects if thing.id in scene.visible and not thing.held]
+    seen.sort(key=lambda thing: not thing.pickupable)  # floors and worktops say little
     names = list(dict.fromkeys(name(thing.type) for thing in seen))
     more = f" and {len(names) - NAMED} more" if len(names) > NAMED else ""
     things = f"{', '.join(names[:NAMED])}{more}" if names else "nothing in reach"

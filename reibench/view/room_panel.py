@@ -45,7 +45,7 @@ def _header(scene: Scene, *, pictured: bool) -> str:
     ways = ("Plan", "List", "Camera") if pictured else ("Plan", "List")
     plan_or_list = element(
         "div",
-        *(element("button", way, type="button", role="tab", data_room=way.lower()) for way in ways),
+        *(_tab(way) for way in ways),
         class_="seg sm",
         role="tablist",
         aria_label="How the room is shown",
@@ -67,6 +67,12 @@ def _header(scene: Scene, *, pictured: bool) -> str:
         _zoom("+", "zoom-in", "Zoom in"),
         _zoom("−", "zoom-out", "Zoom out"),
     )
+
+
+def _tab(way: str) -> str:
+    # On narrow screens the pictures are under the plan anyway.
+    hidden = "hide-m" if way == "Camera" else None
+    return element("button", way, type="button", role="tab", data_room=way.lower(), class_=hidden)
 
 
 def _zoom(sign: str, what: str, words: str) -> str:
