@@ -77,9 +77,8 @@ class MessagePackFormat:
 
         self._pack: Callable[[Any], bytes] = msgpack.Packer().pack
         *keys, last = (self._pack(key) for key in MOVING)
-        self._seen, self._unseen = (
-            b"".join(key + self._pack(value) for key in keys) + last for value in (True, False)
-        )
+        self._seen: bytes = b"".join(key + self._pack(True) for key in keys) + last
+        self._unseen: bytes = b"".join(key + self._pack(False) for key in keys) + last
         self._number = Struct("!Bd").pack
 
     def pairs(self, mapping: Mapping[str, Any]) -> bytes:

@@ -21,6 +21,8 @@ class Part(NamedTuple):
     depth: float
 
 
+LIFT = 0.002
+"""Metres by which undersides are raised, so that a thing on the floor is nearer than the floor."""
 WALL: Color = (226, 220, 208)
 ROBOT: Color = (60, 120, 220)
 BEAK: Color = (250, 210, 60)
@@ -64,7 +66,9 @@ def blocks(moment: Moment, *, robot: bool) -> list[Block]:
 
 def room_block(bounds: Box) -> Block:
     """Return the room itself."""
-    return _block(bounds, WALL)
+    block = _block(bounds, WALL)
+    x, y, z = block.low
+    return block._replace(low=(x, y - LIFT, z))
 
 
 def _size(thing: SceneObject) -> float:
@@ -125,6 +129,6 @@ def _of_robot(pose: Pose) -> Iterator[Block]:
 
 def _block(box: Box, color: Color, opening: tuple[int, int] | None = None) -> Block:
     (x, y, z), (width, height, depth) = box
-    low = x - width / 2, y - height / 2, z - depth / 2
+    low = x - width / 2, y - height / 2 + LIFT, z - depth / 2
     high = x + width / 2, y + height / 2, z + depth / 2
     return Block(low, high, color, opening)
