@@ -68,6 +68,11 @@ class Pool(Generic[T]):
         if lease:
             self._on_return(lease.value)
 
+    def close(self) -> None:
+        """Take back everything."""
+        for owner in tuple(self._leases):
+            self.take_back(owner)
+
     def __len__(self) -> int:
         return len(self._leases)
 

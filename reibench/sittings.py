@@ -173,6 +173,10 @@ class Sittings:
         """Whether the model is loaded already."""
         return self._watching.model_ready(model)
 
+    def close(self) -> None:
+        """Free every world; the database goes on knowing what happened in them."""
+        self._live.close()
+
     # helpers
 
     def episode(self, episode_id: str) -> Episode:
