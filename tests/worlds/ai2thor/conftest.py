@@ -50,7 +50,9 @@ def standing_in(mark, monkeypatch) -> Iterator[Callable[..., World]]:
     monkeypatch.setenv("REIBENCH_UNITY_STEP_SECONDS", "1")
     made: list[World] = []
 
-    def make(arguments: str = "") -> World:
+    def make(arguments: str = "", **settings: str) -> World:
+        for name, value in settings.items():
+            monkeypatch.setenv(f"REIBENCH_UNITY_{name.upper()}", value)
         monkeypatch.setenv("REIBENCH_UNITY_ARGUMENTS", f"{arguments} {mark}")
         made.append(create_world("ai2thor:stand-in"))
         return made[-1]

@@ -58,11 +58,9 @@ class Murdered:
 
 @pytest.mark.parametrize(("protocol", "kills"), [("fifo", 100), ("wsgi", 12)])
 def test_kills_in_a_row_leave_as_many_error_records_and_no_process(
-    protocol, kills, standing_in, running, left_behind, episodes, store, monkeypatch
+    protocol, kills, standing_in, running, left_behind, episodes, store
 ):
-    monkeypatch.setenv("REIBENCH_UNITY_SERVER", protocol)
-    monkeypatch.setenv("REIBENCH_UNITY_START_SECONDS", "15")
-    world = standing_in()
+    world = standing_in(server=protocol, start_seconds="15")
     murdered = Murdered(world, running)
     chosen = list(episodes.values())
     specs = [RunSpec(planner="expert", world="ai2thor:stand-in", seed=seed) for seed in range(2)]
