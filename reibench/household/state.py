@@ -102,8 +102,7 @@ class State:
         """Where the robot can walk, on the grid asked for."""
         if self.settings.grid == GRID:
             return self.room.floor
-        start = self.room.start.position
-        return WalkableFloor(self.room.bounds, self.room.objects, start, self.settings.grid)
+        return self.room.floor_of(self.settings.grid)
 
     def configure(self, settings: Settings) -> None:
         """Behave as `settings` say from now on."""

@@ -1,0 +1,177 @@
+"""Solids: what the robot walks around in real rooms, where boxes alone say too much.
+
+AI2-THOR reports an axis-aligned box of each object. That of a counter around a corner covers the
+floor in the corner, that of a bath the room around it, and that of a turned table the floor at
+its corners. What stands on and under counters, basins and oriented boxes tell where they end.
+"""
+
+from collections.abc import Iterator, Mapping
+from functools import partial
+from math import hypot
+from typing import NamedTuple
+
+from reibench.household.floor import HEADROOM, LOWEST, Solid
+from reibench.household.geometry import Footprint, bottom, footprint, top
+from reibench.household.particulars import Particulars
+from reibench.scene import Box, SceneObject
+
+CLEARANCE = 0.12
+"""Metres from a box at which AI2-THOR's robot stands: colliders are smaller than boxes."""
+DEPTH = 0.65
+"""Metres of counter before a wall."""
+DEEP = 0.85
+"""Metres; a counter wider than this both ways goes around a corner."""
+AT_WALL = 0.25
+"""Metres from the wall within which a counter stands against it."""
+RIM = 0.12
+"""Metres around a bath's basin."""
+STEADY = 8.0
+"""Degrees a thing may be tilted and still stand on its base."""
+FLAT_ON_WALLS = frozenset(
+    "Blinds Curtains Faucet HandTowelHolder LightSwitch Mirror Painting Poster ShowerHead"
+    " ToiletPaperHanger TowelHolder Window".split()
+)
+COUNTERS = frozenset(("CounterTop", "Desk"))
+BUILT_IN = frozenset(
+    "Cabinet CoffeeMachine Drawer Faucet Microwave Sink SinkBasin StoveBurner StoveKnob"
+    " Toaster".split()
+)
+"""What is found only where there is counter."""
+
+
+class Rectangle(NamedTuple):
+    """A rectangle on the floor plan, turned any way."""
+
+    x: float
+    z: float
+    half_width: float
+    half_depth: float
+    along_x: float = 1.0
+    """The unit vector along its width."""
+    along_z: float = 0.0
+
+    @classmethod
+    def between(cls, left: float, right: float, near: float, far: float) -> "Rectangle":
+        """Return the one with sides along the axes there."""
+        return cls((left + right) / 2, (near + far) / 2, (right - left) / 2, (far - near) / 2)
+
+    def distance(self, x: float, z: float) -> float:
+        """Return how far the point is from its edge, 0 inside."""
+        dx, dz = x - self.x, z - self.z
+        across = abs(dx * self.along_x + dz * self.along_z) - self.half_width
+        deep = abs(dz * self.along_x - dx * self.along_z) - self.half_depth
+        return hypot(max(across, 0.0), max(deep, 0.0))
+
+    def around(self, margin: float) -> Solid:
+        """Return where a round robot of that radius cannot be."""
+        wide = self.half_width * abs(self.along_x) + self.half_depth * abs(self.along_z) + margin
+        deep = self.half_width * abs(self.along_z) + self.half_depth * abs(self.along_x) + margin
+        extent = Footprint(self.x - wide, self.x + wide, self.z - deep, self.z + deep, *self[:2])
+        return Solid(extent, lambda x, z: self.distance(x, z) < margin)
+
+
+def solids(
+    objects: tuple[SceneObject, ...], particulars: Mapping[str, Particulars], bounds: Box
+) -> list[tuple[str, Solid]]:
+    """Return, by object id, where objects keep the robot from standing."""
+    found = []
+    for thing in objects:
+        if not _stands_in_the_way(thing):
+            continue
+        if thing.type in COUNTERS:
+            shapes = list(_counter(thing, objects, footprint(bounds)))
+        elif thing.type == "Bathtub":
+            shapes = [_bath(thing, objects)]
+        else:
+            shapes = [base(thing, particulars.get(thing.id))]
+        found += [(thing.id, shape.around(CLEARANCE)) for shape in shapes]
+    return found
+
+
+def base(thing: SceneObject, own: Particulars | None) -> Rectangle:
+    """Return what an object covers: of its oriented box where it has one and is upright."""
+    if own and own.corners and max(min(abs(turn), 360 - abs(turn)) for turn in own.tilt) < STEADY:
+        first, second, _, fourth = own.corners[:4]
+        wide_x, wide_z = second.x - first.x, second.z - first.z
+        deep_x, deep_z = fourth.x - first.x, fourth.z - first.z
+        width, depth = hypot(wide_x, wide_z), hypot(deep_x, deep_z)
+        if width > 0 and abs(wide_x * deep_x + wide_z * deep_z) < 0.05 * width * depth:
+            x, z = first.x + (wide_x + deep_x) / 2, first.z + (wide_z + deep_z) / 2
+            return Rectangle(x, z, width / 2, depth / 2, wide_x / width, wide_z / width)
+    return _whole(footprint(thing.box))
+
+
+def _stands_in_the_way(thing: SceneObject) -> bool:
+    if thing.pickupable or thing.type in FLAT_ON_WALLS or thing.type in ("Floor", "BathtubBasin"):
+        return False
+    return bottom(thing.box) < HEADROOM and top(thing.box) > LOWEST
+
+
+def _whole(area: Footprint) -> Rectangle:
+    return Rectangle.between(area.left, area.right, area.near, area.far)
+
+
+def _bath(bath: SceneObject, objects: tuple[SceneObject, ...]) -> Rectangle:
+    left, right, near, far, *_ = footprint(bath.box)
+    for basin in objects:
+        if basin.id.startswith(f"{bath.id}|"):
+            inner = footprint(basin.box).grown(RIM)
+            left, right = max(left, inner.left), min(right, inner.right)
+            near, far = max(near, inner.near), min(far, inner.far)
+    return Rectangle.between(left, right, near, far)
+
+
+def _counter(
+    counter: SceneObject, objects: tuple[SceneObject, ...], walls: Footprint
+) -> Iterator[Rectangle]:
+    """Yield the parts of a counter: all of it, or the strips along the sides that hold things.
+
+    As few strips as hold everything, those before a wall first; what none holds covers itself.
+    """
+    area = footprint(counter.box)
+    left, right, near, far, *_ = area
+    strips = {
+        Rectangle.between(left, left + DEPTH, near, far): left - walls.left < AT_WALL,
+        Rectangle.between(right - DEPTH, right, near, far): walls.right - right < AT_WALL,
+        Rectangle.between(left, right, near, near + DEPTH): near - walls.near < AT_WALL,
+        Rectangle.between(left, right, far - DEPTH, far): walls.far - far < AT_WALL,
+    }
+    unexplained = _on_or_under(counter, area, objects)
+    if min(right - left, far - near) < DEEP or not unexplained or not any(strips.values()):
+        yield _whole(area)
+        return
+    while strips and unexplained:
+        held = {strip: [o for o in unexplained if _holds(strip, o)] for strip in strips}
+        best = max(held, key=partial(_merit, strips, held))
+        if not held[best]:
+            break
+        yield best
+        del strips[best]
+        unexplained = [one for one in unexplained if one not in held[best]]
+    yield from map(_whole, unexplained)
+
+
+def _merit(
+    strips: Mapping[Rectangle, bool], held: Mapping[Rectangle, list[Footprint]], strip: Rectangle
+) -> tuple[bool, int]:
+    return bool(held[strip]) and strips[strip], len(held[strip])
+
+
+def _holds(strip: Rectangle, one: Footprint) -> bool:
+    return strip.distance(one.x, one.z) <= 0.05
+
+
+def _on_or_under(
+    counter: SceneObject, area: Footprint, objects: tuple[SceneObject, ...]
+) -> list[Footprint]:
+    """Return what shows where there is counter: things on it, and what is built in under it."""
+    near = area.grown(0.05)
+    found = []
+    for thing in objects:
+        built_in = thing.type in BUILT_IN and bottom(thing.box) < HEADROOM + 0.3
+        hangs = thing.type == "Cabinet" and bottom(thing.box) > HEADROOM - 0.1
+        if thing.id in (counter.contents or ()) or (built_in and not hangs):
+            covered = footprint(thing.box)
+            if thing.id != counter.id and near.covers(covered.x, covered.z):
+                found.append(covered)
+    return found
