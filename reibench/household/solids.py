@@ -23,6 +23,10 @@ DEEP = 0.85
 """Metres; a counter wider than this both ways goes around a corner."""
 AT_WALL = 0.25
 """Metres from the wall within which a counter stands against it."""
+SPREAD = 0.3
+"""Share of its length over which what is on a strip of counter must be spread."""
+PATCH = 0.25
+"""Metres; how far around its middle a thing shows that there is counter."""
 RIM = 0.12
 """Metres around a bath's basin."""
 STEADY = 8.0
@@ -31,6 +35,8 @@ FLAT_ON_WALLS = frozenset(
     "Blinds Curtains Faucet HandTowelHolder LightSwitch Mirror Painting Poster ShowerHead"
     " ToiletPaperHanger TowelHolder Window".split()
 )
+PASSABLE = frozenset(("BathtubBasin", "Floor", "ShowerDoor"))
+"""What has a box the robot can stand in; shower doors are taken to be open."""
 COUNTERS = frozenset(("CounterTop", "Desk"))
 BUILT_IN = frozenset(
     "Cabinet CoffeeMachine Drawer Faucet Microwave Sink SinkBasin StoveBurner StoveKnob"
@@ -102,7 +108,7 @@ def base(thing: SceneObject, own: Particulars | None) -> Rectangle:
 
 
 def _stands_in_the_way(thing: SceneObject) -> bool:
-    if thing.pickupable or thing.type in FLAT_ON_WALLS or thing.type in ("Floor", "BathtubBasin"):
+    if thing.pickupable or thing.type in FLAT_ON_WALLS or thing.type in PASSABLE:
         return False
     return bottom(thing.box) < HEADROOM and top(thing.box) > LOWEST
 
@@ -140,21 +146,41 @@ def _counter(
     if min(right - left, far - near) < DEEP or not unexplained or not any(strips.values()):
         yield _whole(area)
         return
-    while strips and unexplained:
-        held = {strip: [o for o in unexplained if _holds(strip, o)] for strip in strips}
-        best = max(held, key=partial(_merit, strips, held))
-        if not held[best]:
+    while unexplained:
+        held = {
+            strip: [one for one in unexplained if _holds(strip, one)]
+            for strip, at_wall in strips.items()
+            if at_wall or _spans(strip, unexplained)
+        }
+        best = max(held, key=partial(_merit, strips, held), default=None)
+        if best is None or not held[best]:
             break
         yield best
         del strips[best]
         unexplained = [one for one in unexplained if one not in held[best]]
-    yield from map(_whole, unexplained)
+    for one in unexplained:
+        yield Rectangle(
+            one.x,
+            one.z,
+            min(one.right - one.x, PATCH),
+            min(one.far - one.z, PATCH),
+        )
 
 
 def _merit(
     strips: Mapping[Rectangle, bool], held: Mapping[Rectangle, list[Footprint]], strip: Rectangle
 ) -> tuple[bool, int]:
     return bool(held[strip]) and strips[strip], len(held[strip])
+
+
+def _spans(strip: Rectangle, things: list[Footprint]) -> bool:
+    """Whether the things on a strip away from the wall are spread along much of it."""
+    on_it = [one for one in things if _holds(strip, one)]
+    if strip.half_width > strip.half_depth:
+        places, length = [one.x for one in on_it], 2 * strip.half_width
+    else:
+        places, length = [one.z for one in on_it], 2 * strip.half_depth
+    return bool(places) and max(places) - min(places) > SPREAD * length
 
 
 def _holds(strip: Rectangle, one: Footprint) -> bool:
