@@ -27,6 +27,8 @@ SPREAD = 0.3
 """Share of its length over which what is on a strip of counter must be spread."""
 PATCH = 0.25
 """Metres; how far around its middle a thing shows that there is counter."""
+OVERHANG = 0.02
+"""Metres by which things may stick out over an edge."""
 RIM = 0.12
 """Metres around a bath's basin."""
 STEADY = 8.0
@@ -80,21 +82,36 @@ def solids(
     objects: tuple[SceneObject, ...], particulars: Mapping[str, Particulars], bounds: Box
 ) -> list[tuple[str, Solid]]:
     """Return, by object id, where objects keep the robot from standing."""
-    found = []
-    for thing in objects:
-        if not _stands_in_the_way(thing):
-            continue
-        if thing.type in COUNTERS:
-            shapes = list(_counter(thing, objects, footprint(bounds)))
-        elif thing.type == "Bathtub":
-            shapes = [_bath(thing, objects)]
-        else:
-            shapes = [base(thing, particulars.get(thing.id))]
-        found += [(thing.id, shape.around(CLEARANCE)) for shape in shapes]
-    return found
+    return [
+        (thing.id, shape.around(CLEARANCE))
+        for thing in objects
+        if _stands_in_the_way(thing)
+        for shape in shapes(thing, objects, particulars, bounds)
+    ]
 
 
-def base(thing: SceneObject, own: Particulars | None) -> Rectangle:
+def shapes(
+    thing: SceneObject,
+    objects: tuple[SceneObject, ...],
+    particulars: Mapping[str, Particulars],
+    bounds: Box,
+) -> list[Rectangle]:
+    """Return what an object covers, which can be less than its box."""
+    if thing.type in COUNTERS:
+        return list(_counter(thing, objects, footprint(bounds)))
+    if thing.type == "Bathtub":
+        return [_bath(thing, objects)]
+    return [_base(thing, particulars.get(thing.id))]
+
+
+def holds(surface: list[Rectangle], box: Box) -> bool:
+    """Whether all corners of a box lie over the surface."""
+    area = footprint(box).grown(-OVERHANG)
+    corners = ((x, z) for x in (area.left, area.right) for z in (area.near, area.far))
+    return all(any(part.distance(x, z) <= 0 for part in surface) for x, z in corners)
+
+
+def _base(thing: SceneObject, own: Particulars | None) -> Rectangle:
     """Return what an object covers: of its oriented box where it has one and is upright."""
     if own and own.corners and max(min(abs(turn), 360 - abs(turn)) for turn in own.tilt) < STEADY:
         first, second, _, fourth = own.corners[:4]
