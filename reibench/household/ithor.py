@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from reibench.errors import InvalidRoom
+from reibench.errors import InvalidRoom, UnknownName
 from reibench.household.floor import RADIUS, WalkableFloor
 from reibench.household.geometry import Footprint, footprint
 from reibench.household.metadata import scene_from_metadata
@@ -19,6 +19,16 @@ from reibench.scene import Box, Pose, Scene, SceneObject, Vector
 NOWHERE = Pose(Vector(0.0, 0.0, 0.0), 0.0)
 KINDS = {0: "kitchen", 2: "living room", 3: "bedroom", 4: "bathroom"}
 """Kinds of iTHOR's rooms by the hundreds of their number."""
+NOT_MODELLED = {
+    "visible": "depends on where the robot stood, which a dump does not say",
+    "isInteractable": "depends on where the robot stood",
+    "distance": "depends on where the robot stood",
+    "isMoving": "how things were settling when the dump was made; nothing moves by itself here",
+}
+"""Keys of object metadata that do not come out of a room as they were read, and why.
+
+Every other key comes out exactly as it went in: same value, same order, to the last digit.
+"""
 STANDING_KEY = "reachablePositions"
 """Key of a dump, beside the objects' ids, for where the robot can stand."""
 
@@ -46,8 +56,7 @@ def room_from_dump(name: str, content: object) -> Room:
     if not described:
         raise InvalidRoom("there is no object metadata in it.")
     scene = scene_from_metadata(described)
-    for thing in scene.objects:
-        object_type(thing.type)
+    _check(scene)
     try:
         standing = tuple(
             Vector(float(point["x"]), float(point["y"]), float(point["z"]))
@@ -77,6 +86,15 @@ def room_from_dump(name: str, content: object) -> Room:
     except (KeyError, TypeError, ValueError) as error:
         raise InvalidRoom(f"a value is missing or of the wrong form ({error!r}).") from None
     return replace(room, start=_start(room))
+
+
+def _check(scene: Scene) -> None:
+    try:
+        types = {object_type(thing.type).name for thing in scene.objects}
+    except UnknownName as error:
+        raise InvalidRoom(str(error)) from None
+    if "Floor" not in types or len(types) == 1:
+        raise InvalidRoom("a room has a floor and something on it.")
 
 
 def _is_object(value: object) -> bool:
