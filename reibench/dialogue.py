@@ -6,10 +6,11 @@ from typing import Literal, NamedTuple, get_args
 from reibench.errors import unknown
 
 Reference = Literal["explicit", "mixed", "implicit"]
-Context = Literal["standard", "noised", "short"]
+Context = Literal["standard", "noised", "short", "alone"]
 Speaker = Literal["human", "robot"]
 REFERENCES: tuple[Reference, ...] = get_args(Reference)
-CONTEXTS: tuple[Context, ...] = get_args(Context)
+CONTEXTS: tuple[Context, ...] = ("standard", "noised", "short")
+"""Those of the paper; `alone` is an instruction that nothing was said before (ALFRED's)."""
 
 
 class Vagueness(NamedTuple):
@@ -24,14 +25,16 @@ class Vagueness(NamedTuple):
     @classmethod
     def parse(cls, text: str) -> "Vagueness":
         """Read `mixed-noised`; raises UnknownName."""
-        for level in LEVELS:
+        for level in (*LEVELS, EXPLICIT_ALONE):
             if str(level) == text:
                 return level
-        raise unknown("level", text, map(str, LEVELS))
+        raise unknown("level", text, map(str, (*LEVELS, EXPLICIT_ALONE)))
 
 
 LEVELS = tuple(Vagueness(reference, context) for reference in REFERENCES for context in CONTEXTS)
 """All nine, from explicit-standard to implicit-short."""
+EXPLICIT_ALONE = Vagueness("explicit", "alone")
+"""No level of the paper's: a clear instruction without a dialogue, as in ALFRED."""
 
 
 @dataclass(frozen=True)

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from reibench.dialogue import Dialogue, Vagueness
+from reibench.scene import Pose, Vector
 
 
 class TaskType(StrEnum):
@@ -69,6 +70,24 @@ class Placement:
 
 
 @dataclass(frozen=True)
+class ObjectPose:
+    """Where some object of a type lies, as an ALFRED trial says it."""
+
+    type: str
+    position: Vector
+    rotation: Vector
+    """Degrees around the three axes."""
+
+
+@dataclass(frozen=True)
+class Toggle:
+    """Whether everything of a type starts switched on."""
+
+    type: str
+    on: bool
+
+
+@dataclass(frozen=True)
 class SceneSetup:
     """How to set up the room."""
 
@@ -79,6 +98,13 @@ class SceneSetup:
     placements: tuple[Placement, ...] = ()
     dirty: tuple[str, ...] = ()
     """Ids of objects that start dirty."""
+    poses: tuple[ObjectPose, ...] = ()
+    """Where everything that can be picked up lies; what is not named is not there (ALFRED)."""
+    toggles: tuple[Toggle, ...] = ()
+    dirty_and_empty: bool = False
+    """Whether all that can be dirty is, and nothing is filled (ALFRED)."""
+    start: Pose | None = None
+    """Where the robot starts, or as near as it can stand; None leaves it to the seed."""
 
 
 @dataclass(frozen=True)

@@ -20,6 +20,10 @@ class InvalidEpisode(ReibenchError):
     """An episode, task or manifest file says something impossible."""
 
 
+class InvalidTrial(ReibenchError):
+    """An ALFRED trial or a file of the official split lacks something or is damaged."""
+
+
 class InvalidRoom(ReibenchError):
     """A room or scene file says something impossible."""
 

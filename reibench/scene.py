@@ -107,7 +107,13 @@ class Scene:
         return [thing for thing in self.objects if thing.type == object_type]
 
     def closed_around(self, thing: SceneObject) -> SceneObject | None:
-        """Return the closed container `thing` is inside, if any, however deep."""
+        """Return the closed container `thing` is inside, if any, however deep.
+
+        Only what can be picked up can be; in real rooms the boxes of fixed things overlap, and a
+        microwave that stands on a fridge is listed in it.
+        """
+        if not thing.pickupable:
+            return None
         # Real metadata holds loops (a cup "in" the counter it stands on), so ids are met once.
         waiting, met = list(thing.parents), {thing.id}
         while waiting:

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from reibench.dialogue import ReferringExpression, Utterance
+from reibench.dialogue import EXPLICIT_ALONE, ReferringExpression, Utterance
 from reibench.episode import Episode, TaskType
 from reibench.errors import ReibenchError
 from reibench.household import Room, load_room
@@ -44,6 +44,8 @@ def _counts(utterances: Iterable[Utterance], referent: str) -> tuple[int, int]:
 def _level_problems(episode: Episode) -> Iterator[str]:
     """Apply the counting rule (appendix B.4; its table's swapped headers read as they must be)."""
     goal, level = episode.task.goal, episode.vagueness
+    if level == EXPLICIT_ALONE:
+        return  # people's own words, not made to any rule, and not marked
     for referent in filter(None, (goal.object, goal.movable_receptacle)):
         before, after = (
             _counts(episode.dialogue.context, referent),

@@ -7,8 +7,18 @@ from pathlib import Path
 from typing import Any
 
 from reibench.dialogue import Dialogue, ReferringExpression, Utterance, Vagueness
-from reibench.episode import Episode, Goal, Placement, SceneSetup, Task, TaskType
+from reibench.episode import (
+    Episode,
+    Goal,
+    ObjectPose,
+    Placement,
+    SceneSetup,
+    Task,
+    TaskType,
+    Toggle,
+)
 from reibench.errors import InvalidEpisode, ReibenchError
+from reibench.scene import Pose, Vector
 
 SHIPPED = Path(__file__).parents[2] / "assets" / "episodes"
 """Where the project's own episodes are."""
@@ -28,16 +38,30 @@ def episode_to_json(episode: Episode) -> dict[str, Any]:
             "destination": goal.destination,
             "sliced": goal.sliced,
         },
-        "setup": {
-            "room": setup.room,
-            "seed": setup.seed,
-            "placements": [[p.object_id, p.receptacle_id] for p in setup.placements],
-            "dirty": list(setup.dirty),
-        },
+        "setup": _setup_to_json(setup),
         "candidates": list(episode.candidates),
         "underdetermined": episode.underdetermined,
         "dialogue": [_utterance_to_json(each) for each in episode.dialogue.utterances],
     }
+
+
+def _setup_to_json(setup: SceneSetup) -> dict[str, Any]:
+    """Say only what is set of what came later, so that older episodes keep their digest."""
+    entry: dict[str, Any] = {
+        "room": setup.room,
+        "seed": setup.seed,
+        "placements": [[p.object_id, p.receptacle_id] for p in setup.placements],
+        "dirty": list(setup.dirty),
+    }
+    if setup.poses:
+        entry["poses"] = [[each.type, *each.position, *each.rotation] for each in setup.poses]
+    if setup.toggles:
+        entry["toggles"] = [[each.type, each.on] for each in setup.toggles]
+    if setup.dirty_and_empty:
+        entry["dirty_and_empty"] = True
+    if start := setup.start:
+        entry["start"] = [*start.position, start.yaw, start.horizon]
+    return entry
 
 
 def _utterance_to_json(utterance: Utterance) -> dict[str, Any]:
@@ -58,12 +82,7 @@ def episode_from_json(value: Mapping[str, Any]) -> Episode:
         goal, setup = value["goal"], value["setup"]
         task = Task(
             id=value["task"],
-            setup=SceneSetup(
-                room=setup["room"],
-                seed=int(setup["seed"]),
-                placements=tuple(Placement(*pair) for pair in setup["placements"]),
-                dirty=tuple(setup["dirty"]),
-            ),
+            setup=_setup_from_json(setup),
             goal=Goal(
                 task_type=TaskType(goal["type"]),
                 object=goal["object"],
@@ -86,6 +105,29 @@ def episode_from_json(value: Mapping[str, Any]) -> Episode:
     if value.get("id") != episode.id:
         raise InvalidEpisode(f"Episode {name} should be called {episode.id} (task.level).")
     return episode
+
+
+def _setup_from_json(value: Mapping[str, Any]) -> SceneSetup:
+    start = value.get("start")
+    return SceneSetup(
+        room=value["room"],
+        seed=int(value["seed"]),
+        placements=tuple(Placement(*pair) for pair in value["placements"]),
+        dirty=tuple(value["dirty"]),
+        poses=tuple(_pose_from_json(*each) for each in value.get("poses", ())),
+        toggles=tuple(Toggle(kind, bool(on)) for kind, on in value.get("toggles", ())),
+        dirty_and_empty=bool(value.get("dirty_and_empty", False)),
+        start=None if start is None else _start_from_json(*map(float, start)),
+    )
+
+
+def _pose_from_json(kind: str, *numbers: float) -> ObjectPose:
+    x, y, z, *rotation = map(float, numbers)
+    return ObjectPose(kind, Vector(x, y, z), Vector(*rotation))
+
+
+def _start_from_json(x: float, y: float, z: float, yaw: float, horizon: float) -> Pose:
+    return Pose(Vector(x, y, z), yaw, horizon)
 
 
 def _utterance_from_json(value: Mapping[str, Any]) -> Utterance:

@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from reibench.dataset.files import digest
-from reibench.dialogue import CONTEXTS, LEVELS, REFERENCES
+from reibench.dialogue import CONTEXTS, EXPLICIT_ALONE, LEVELS, REFERENCES
 from reibench.episode import Episode, TaskType
 from reibench.errors import InvalidEpisode, unknown
 
@@ -40,9 +40,9 @@ def select(episodes: Sequence[Episode], wanted: str) -> list[Episode]:
 
 def _kind_of(episodes: Sequence[Episode], word: str) -> tuple[str, Kind]:
     kinds: dict[str, tuple[set[str], Kind]] = {
-        "level": ({*map(str, LEVELS)}, lambda e: str(e.vagueness)),
+        "level": ({*map(str, LEVELS), str(EXPLICIT_ALONE)}, lambda e: str(e.vagueness)),
         "reference": ({*REFERENCES}, lambda e: e.vagueness.reference),
-        "context": ({*CONTEXTS}, lambda e: e.vagueness.context),
+        "context": ({*CONTEXTS, EXPLICIT_ALONE.context}, lambda e: e.vagueness.context),
         "type": ({t.short for t in TaskType}, lambda e: e.task.goal.task_type.short),
         "room": ({e.task.setup.room for e in episodes}, lambda e: e.task.setup.room),
         "task": ({e.task.id for e in episodes}, lambda e: e.task.id),

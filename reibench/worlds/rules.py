@@ -70,6 +70,8 @@ class Rules:
     """Verbs after which the robot no longer knows where it last went."""
     places_anything: bool = False
     """Whether anything may be put anywhere, past the lists of what goes where."""
+    places_tried: int = 1
+    """How many receptacles of the type gone to `put down` tries, nearest first."""
 
 
 def matches_exactly(thing: SceneObject, wanted: str) -> bool:
@@ -162,6 +164,7 @@ OFFICIAL = Rules(
     failed_put_down_drops=True,
     place_forgotten_by=frozenset(Verb) - {Verb.FIND, Verb.OPEN, Verb.PUT_DOWN},
     places_anything=True,
+    places_tried=2,
 )
 RULES = {rules.name: rules for rules in (STRICT, OFFICIAL)}
 

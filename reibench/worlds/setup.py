@@ -1,10 +1,12 @@
 """Setting up a task's room through AI2-THOR actions, the same for both simulators."""
 
 import random
+from math import dist
 
 from reibench.episode import SceneSetup
 from reibench.errors import InvalidEpisode
-from reibench.scene import CONTAINERS, Scene
+from reibench.scene import CONTAINERS, Pose, Scene, Vector
+from reibench.worlds.restoring import action_poses, restored
 from reibench.worlds.simulator import Simulator
 
 
@@ -22,7 +24,29 @@ def prepare(simulator: Simulator, setup: SceneSetup) -> None:
     for object_id in setup.dirty:
         _require(scene, setup.room, object_id)
         _must(simulator, "DirtyObject", objectId=object_id, forceAction=True)
-    _stand(simulator, setup.seed)
+    if setup.toggles or setup.dirty_and_empty or setup.poses:
+        _restore(simulator, setup)
+    if setup.start:
+        _stand_near(simulator, setup.start)
+    else:
+        _stand(simulator, setup.seed)
+
+
+def _restore(simulator: Simulator, setup: SceneSetup) -> None:
+    """Do what ALFRED's `restore_scene` does, in its order."""
+    for toggle in setup.toggles:
+        _set_states(simulator, "toggleable", objectType=toggle.type, isToggled=toggle.on)
+    if setup.dirty_and_empty:
+        _set_states(simulator, "dirtyable", isDirty=True)
+        _set_states(simulator, "canFillWithLiquid", isFilledWithLiquid=False)
+    if setup.poses:
+        scene = simulator.scene()
+        poses = action_poses(scene, restored(scene, setup.poses))
+        _must(simulator, "SetObjectPoses", objectPoses=poses, placeStationary=True)
+
+
+def _set_states(simulator: Simulator, change: str, **values: object) -> None:
+    _must(simulator, "SetObjectStates", SetObjectStates={"stateChange": change, **values})
 
 
 def _require(scene: Scene, room: str, *object_ids: str) -> None:
@@ -47,19 +71,31 @@ def _place(simulator: Simulator, scene: Scene, object_id: str, receptacle_id: st
 def _must(simulator: Simulator, action: str, **arguments: object) -> None:
     outcome = simulator.act(action, **arguments)
     if not outcome.success:
-        target = arguments.get("objectId")
-        raise InvalidEpisode(f"{action} of {target} failed while setting up: {outcome.message}.")
+        target = f" of {arguments['objectId']}" if "objectId" in arguments else ""
+        raise InvalidEpisode(f"{action}{target} failed while setting up: {outcome.message}.")
 
 
 def _stand(simulator: Simulator, seed: int) -> None:
     """Start somewhere free, so that no start is nearer to the solution by design."""
     choose = random.Random(seed)
     place = choose.choice(simulator.reachable())
-    _must(
-        simulator,
-        "Teleport",
-        position={"x": place.x, "y": place.y, "z": place.z},
-        rotation={"x": 0.0, "y": choose.choice((0.0, 90.0, 180.0, 270.0)), "z": 0.0},
-        horizon=30.0,
-        standing=True,
-    )
+    _must(simulator, "Teleport", **_pose(place, choose.choice((0.0, 90.0, 180.0, 270.0)), 30.0))
+
+
+def _stand_near(simulator: Simulator, start: Pose) -> None:
+    """Start where the trial does, or at the free place nearest to it."""
+    if not simulator.act("Teleport", **_pose(*start[:3])).success:
+        places = simulator.reachable()
+        if not places:
+            raise InvalidEpisode("There is nowhere in the room for the robot to stand.")
+        near = min(places, key=lambda place: dist(place, start.position))
+        _must(simulator, "Teleport", **_pose(near, start.yaw, start.horizon))
+
+
+def _pose(place: Vector, yaw: float, horizon: float) -> dict[str, object]:
+    return {
+        "position": {"x": place.x, "y": place.y, "z": place.z},
+        "rotation": {"x": 0.0, "y": yaw, "z": 0.0},
+        "horizon": horizon,
+        "standing": True,
+    }

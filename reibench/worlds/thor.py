@@ -21,6 +21,7 @@ from reibench.worlds.treating import treat
 
 KNIVES = frozenset({"Knife", "ButterKnife"})
 BASIN_OF = {"Sink": "SinkBasin", "Bathtub": "BathtubBasin"}
+_FULL_OR_SHUT = {"ReceptacleNotOpen": Reason.CLOSED, "ReceptacleFull": Reason.NO_ROOM}
 
 
 class ThorWorld:
@@ -45,6 +46,9 @@ class ThorWorld:
         """Set up the task's room."""
         self._task = task
         self._place = ""
+        """Id of where `put down` puts things; the official rules forget it."""
+        self._visiting = ""
+        """Id of what was last found; what is there is what a noun means first."""
         self._visited: list[str] = []
         self._treatments = Treatments()
         self._legs = Legs(self._simulator)
@@ -84,12 +88,10 @@ class ThorWorld:
         if skill.verb is not Verb.FIND:
             self._visited.clear()
 
-    def _act(self, action: str, refusals: dict[str, Refused] | None = None, **args: object) -> None:
-        """Act, or refuse with the reason that belongs to the error code."""
+    def _act(self, action: str, **args: object) -> None:
+        """Act, or refuse with what the simulator says."""
         outcome = self._simulator.act(action, **args)
         if not outcome.success:
-            if refusals and outcome.code in refusals:
-                raise refusals[outcome.code]
             raise Refused(Reason.SIMULATOR, detail=outcome.message)
 
     # finding
@@ -116,7 +118,7 @@ class ThorWorld:
         thing = min(things, key=self._effort)
         self._legs.go_to(self._scene, thing)
         self._acted_on = thing
-        self._place = thing.id
+        self._place = self._visiting = thing.id
         self._visited.append(thing.id)
 
     def _effort(self, thing: SceneObject) -> float:
@@ -141,10 +143,8 @@ class ThorWorld:
         if not seen and (beside := self._legs.turn_to(self._scene, things)):
             return beside
         if seen:
-            place = self._scene.by_id.get(self._place)
-            gone_to = {self._place}
-            if place and (container := self._scene.closed_around(place)):
-                gone_to.add(container.id)
+            place = self._scene.by_id.get(self._visiting)
+            gone_to = self._there(place)
             here = place.position if place and not place.held else self._scene.agent.position
             return min(
                 seen,
@@ -161,6 +161,14 @@ class ThorWorld:
             raise Refused(Reason.ENCLOSED, container)
         parent = next((p for p in map(self._scene.by_id.get, nearest.parents) if p), None)
         raise Refused(Reason.OUT_OF_REACH, parent)
+
+    def _there(self, place: SceneObject | None) -> set[str]:
+        """Return the ids of the place gone to, of what it is shut in, and of what it holds."""
+        if place is None:
+            return set()
+        container = self._scene.closed_around(place)
+        held = [*(place.contents or ()), *(self._basin(place).contents or ())]
+        return {place.id, *held, *([container.id] if container else [])}
 
     # handling
 
@@ -204,17 +212,26 @@ class ThorWorld:
         belongs = object_type(held.type).belongs
         if not self._rules.places_anything and not any(map(belongs, kinds)):
             raise Refused(Reason.NOT_ALLOWED, place)
-        self._act(
-            "PutObject",
-            {
-                "ReceptacleNotOpen": Refused(Reason.CLOSED, place),
-                "ReceptacleFull": Refused(Reason.NO_ROOM, place),
-            },
-            objectId=place.id,
-            # Forced, for AI2-THOR 5 refuses what ALFRED does, e.g. a tomato in a microwave.
-            forceAction=True,
-            placeStationary=True,
-        )
+        # Forced, for AI2-THOR 5 refuses what ALFRED does, e.g. a tomato in a microwave.
+        how = {"forceAction": True, "placeStationary": True}
+        first = self._simulator.act("PutObject", objectId=place.id, **how)
+        if first.success or (
+            first.code == "ReceptacleFull"
+            and any(
+                self._simulator.act("PutObject", objectId=other.id, **how).success
+                for other in self._like(place)
+            )
+        ):
+            return
+        if first.code in _FULL_OR_SHUT:
+            raise Refused(_FULL_OR_SHUT[first.code], place)
+        raise Refused(Reason.SIMULATOR, detail=first.message)
+
+    def _like(self, place: SceneObject) -> list[SceneObject]:
+        """Return the other places of its type that the rules let the robot try instead."""
+        others = [o for o in self._scene.of_type(place.type) if o is not place and not o.held]
+        others.sort(key=lambda other: distance(place.position, other))
+        return others[: self._rules.places_tried - 1]
 
     def _basin(self, place: SceneObject) -> SceneObject:
         """Return the basin of a sink or bath, for AI2-THOR puts things into those."""

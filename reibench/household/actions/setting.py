@@ -1,10 +1,11 @@
 """Setting up: states, poses, the controller itself, and doing nothing."""
 
+from dataclasses import replace
+from math import dist
 from typing import Any
 
 from reibench.household.actions import Refused, action, interactable, vector
-from reibench.household.geometry import bottom, footprint, volume
-from reibench.household.placement import surface
+from reibench.household.resting import AT_REST, gap, posed, resting_place
 from reibench.household.state import Settings, State
 from reibench.scene import SceneObject, Vector
 
@@ -17,6 +18,8 @@ PROPERTIES = {
     "cookable": ("cookable", "cooked", "isCooked"),
 }
 """AI2-THOR's `stateChange`, with the trait it asks for, the state, and the argument's name."""
+UNMOVED = 1e-3
+"""Metres within which a pose leaves furniture, and all that is on it, as it is."""
 
 
 @action("Pass", "Done")
@@ -81,20 +84,62 @@ def set_object_states(state: State, SetObjectStates: dict[str, Any]) -> None:
 def set_object_poses(
     state: State, objectPoses: list[dict[str, Any]], placeStationary: bool = True
 ) -> None:
-    """Put things where they are said to be, by `objectName`; things not named stay.
+    """Put things where they are said to be, by `objectName`.
 
-    What they end up in or on is the smallest receptacle at that place.
+    As in AI2-THOR 5 (SceneManager.cs) what can be picked up or moved and is not named is gone
+    afterwards, and naming a thing again makes a copy of it.
     """
     by_name = {thing.name: thing for thing in state.objects.values()}
     for pose in objectPoses:
-        thing = by_name.get(pose.get("objectName", ""))
-        if thing is None:
-            raise Refused(f"No object of name {pose.get('objectName', '')} found.")
-        if not (thing.pickupable or thing.moveable):
-            raise Refused(f"{thing.name} can neither be picked up nor moved.")
-        _put_at(state, thing, Vector(*vector(pose.get("position"))))
-        if (turn := (pose.get("rotation") or {}).get("y")) is not None:
-            state.change(thing.id, yaw=float(turn))
+        name = pose.get("objectName", "")
+        _require_movable(by_name.get(name), name)
+    if not objectPoses:
+        return
+    named = {pose["objectName"] for pose in objectPoses}
+    _take_away([thing for thing in by_name.values() if _movable(thing)], named, state)
+    placed: set[str] = set()
+    for number, pose in enumerate(objectPoses):
+        thing = by_name[pose["objectName"]]
+        if thing.name in placed:
+            thing = _copy(state, thing, number)
+        placed.add(thing.name)
+        turn = (pose.get("rotation") or {}).get("y")
+        _put_at(state, thing, Vector(*vector(pose.get("position"))), turn)
+
+
+def _movable(thing: SceneObject) -> bool:
+    return thing.pickupable or thing.moveable
+
+
+def _require_movable(thing: SceneObject | None, name: str) -> None:
+    if thing is None or not _movable(thing):
+        raise Refused(f"No Pickupable or Moveable object of name {name} found in scene.")
+
+
+def _take_away(things: list[SceneObject], named: set[str], state: State) -> None:
+    """Take what can be picked up out of where it is, and what is not named away."""
+    for thing in things:
+        if thing.pickupable or thing.name not in named:
+            state.put(thing.id, thing.box.center)
+    for thing in things:
+        if thing.name not in named:
+            for inner in tuple(state.inside(thing.id)):
+                state.put(inner.id, inner.box.center)
+            state.remove(thing.id)
+
+
+def _copy(state: State, thing: SceneObject, number: int) -> SceneObject:
+    """Add a copy of a thing, empty and nowhere in particular, called as AI2-THOR calls it."""
+    copy = replace(
+        thing,
+        id=f"{thing.id}_copy_{number}",
+        name=f"{thing.name}_copy_{number}",
+        parents=(),
+        contents=None if thing.contents is None else (),
+        held=False,
+    )
+    state.add(copy)
+    return copy
 
 
 @action("PlaceObjectAtPoint")
@@ -108,35 +153,27 @@ def place_object_at_point(
 ) -> None:
     """Put a thing at a point, from wherever it is."""
     thing = interactable(state, objectId, force=True)
-    if not (thing.pickupable or thing.moveable):
+    if not _movable(thing):
         raise Refused(f"{thing.name} can neither be picked up nor moved.")
-    _put_at(state, thing, Vector(*vector(position)))
-    if rotation is not None:
-        state.change(thing.id, yaw=float(rotation.get("y", thing.yaw)))
+    turn = None if rotation is None else rotation.get("y", thing.yaw)
+    _put_at(state, thing, Vector(*vector(position)), turn)
 
 
-def _put_at(state: State, thing: SceneObject, position: Vector) -> None:
-    old, middle = thing.position, thing.box.center
-    offset = (new - before for new, before in zip(position, old, strict=True))
-    there = Vector(*(a + b for a, b in zip(middle, offset, strict=True)))
-    state.put(thing.id, there)
+def _put_at(state: State, thing: SceneObject, position: Vector, turn: float | None) -> None:
+    """Move a thing to a position, turn it, and let it be in or on what is there."""
+    unmoved = dist(position, thing.position) < UNMOVED and (turn is None or turn == thing.yaw)
+    if unmoved and not thing.pickupable and state.held != thing.id:
+        return
+    there = posed(thing, position, thing.yaw if turn is None else float(turn))
+    state.put(thing.id, there.box.center, there.box.size)
+    state.change(thing.id, position=position, yaw=there.yaw)
     receptacle = _receptacle_at(state, state.objects[thing.id])
-    state.put(thing.id, there, receptacle=receptacle)
-    state.change(thing.id, position=position)
+    state.put(thing.id, there.box.center, receptacle=receptacle)
 
 
 def _receptacle_at(state: State, thing: SceneObject) -> str:
-    """Return the id of the smallest receptacle a thing at its place is in or on."""
-    x, y, z = thing.box.center
-    low = bottom(thing.box)
-    own = {thing.id, *(inner.id for inner in state.inside(thing.id))}
-    found = []
-    for other in state.objects.values():
-        if not other.receptacle or other.id in own or other.id == state.held:
-            continue
-        if not footprint(other.box).covers(x, z):
-            continue
-        within = abs(y - other.box.center.y) <= other.box.size.y / 2 + 0.05
-        if within or abs(low - surface(other)) < 0.1:
-            found.append((volume(other.box), other.id))
-    return min(found)[1] if found else ""
+    """Return the id of the receptacle a thing at its place is in or on."""
+    own = {thing.id, state.held, *(inner.id for inner in state.inside(thing.id))}
+    others = (o for o in state.objects.values() if o.receptacle and o.id not in own)
+    rest = resting_place(thing, (other for other in others if gap(thing, other) <= AT_REST))
+    return rest.receptacle.id if rest else ""
