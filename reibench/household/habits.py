@@ -12,15 +12,27 @@ from pathlib import Path
 from random import Random
 from typing import TypeVar
 
-from reibench.household.objects import object_type
+from reibench.household.objects import object_type, object_types
 from reibench.household.statistics import KindStatistics, from_json, to_json
 from reibench.scene import Vector
 
 Number = TypeVar("Number", int, float)
 
 TABLE = Path(__file__).with_name("real_rooms.json")
-TOGETHER = 0.65
-"""How much large rooms have more furniture than small ones, from 0 to 1."""
+WITH_AREA = {"kitchen": 0.3, "living room": 0.27, "bedroom": 0.25, "bathroom": 0.2}
+"""How much larger rooms of a kind have more furniture, from 0 to 1."""
+COMPANIONS = {
+    ("living room", "Chair"): "DiningTable",
+    ("living room", "DeskLamp"): "SideTable",
+    ("bedroom", "Blinds"): "Window",
+    ("bathroom", "SinkBasin"): "Sink",
+    ("kitchen", "Vase"): "Shelf",
+    ("living room", "Vase"): "Shelf",
+    ("living room", "Statue"): "Shelf",
+    ("bedroom", "Vase"): "Shelf",
+}
+"""Types of which a room has more where it has more of another one."""
+WITH_COMPANION = 0.7
 
 
 @lru_cache(maxsize=1)
@@ -65,11 +77,23 @@ class Stratum:
 
 @dataclass(frozen=True)
 class Inventory:
-    """What a room is going to have, drawn from the habits of its kind."""
+    """What a room is going to have: where it lies in the distribution of each quantity."""
 
-    counts: Mapping[str, int]
-    area: float
-    aspect: float
+    levels: Mapping[str, float]
+    """From 0 to 1, for each type, for the area and the aspect, and for the states of types."""
+    habits: KindStatistics
+
+    def count(self, name: str) -> int:
+        """Return how many of a type the room has."""
+        each = self.habits.types.get(name)
+        return at(each.counts, self.levels[name]) if each else 0
+
+    @property
+    def sides(self) -> tuple[float, float]:
+        """The longer and the shorter side of the room in metres."""
+        area = at(self.habits.area, self.levels["area"])
+        long = (area * at(self.habits.aspect, self.levels["aspect"])) ** 0.5
+        return long, area / long
 
 
 def draw_inventory(kind: str, random: Random, stratum: Stratum | None) -> Inventory:
@@ -79,11 +103,9 @@ def draw_inventory(kind: str, random: Random, stratum: Stratum | None) -> Invent
     def level(name: str) -> float:
         return stratum.level(kind, name) if stratum else random.random()
 
-    return Inventory(
-        counts={name: at(each.counts, level(name)) for name, each in habits.types.items()},
-        area=at(habits.area, level("area")),
-        aspect=at(habits.aspect, level("aspect")),
-    )
+    names = ["area", "aspect", *habits.types]
+    names += [f"{name} {state}" for name, each in habits.types.items() for state in each.states]
+    return Inventory({name: level(name) for name in names}, habits)
 
 
 def at(values: Sequence[Number], level: float) -> Number:
@@ -109,10 +131,14 @@ def extent_of(kind: str, name: str, random: Random) -> Vector:
 def _order(kind: str, name: str, of: int) -> tuple[int, ...]:
     """Return the rank each of `of` rooms has in a quantity; furniture goes with the area."""
     random = Random(f"{kind} {name} {of}")
-    if name in ("area", "aspect") or "pickupable" in object_type(name).traits:
+    companion = COMPANIONS.get((kind, name), "area")
+    of_things = name in object_types() and "pickupable" not in object_type(name).traits
+    free = name == "area" or not of_things
+    if free and companion == "area":
         return tuple(random.sample(range(of), of))
-    areas = _order(kind, "area", of)
-    score = [TOGETHER * rank / of + (1 - TOGETHER) * random.random() for rank in areas]
+    share = WITH_AREA[kind] if companion == "area" else WITH_COMPANION
+    leading = _order(kind, companion, of)
+    score = [share * rank / of + (1 - share) * random.random() for rank in leading]
     by_score = sorted(range(of), key=lambda index: score[index])
     ranks = [0] * of
     for rank, index in enumerate(by_score):

@@ -1,0 +1,194 @@
+"""Small things: put where real rooms have them, and in the states they are in there."""
+
+from reibench.household.geometry import Footprint, bottom, footprint, forward, top
+from reibench.household.habits import real_rooms
+from reibench.household.homes.site import Site, facing
+from reibench.household.layout import Wall
+from reibench.household.objects import object_type, object_types
+from reibench.household.placement import Rank, free_spot, nearest_to
+from reibench.scene import Box, SceneObject, Vector
+
+TRIES = 8
+NEAR = 0.95
+"""Metres from where the robot can stand within which small things lie."""
+ON_RIM = frozenset(("Candle", "SoapBar", "SoapBottle", "ToiletPaper", "TissueBox", "DishSponge"))
+"""What stands on the rim of a tub rather than lies in it."""
+UPRIGHT = {"BaseballBat": Vector(0.12, 0.85, 0.12), "TennisRacket": Vector(0.28, 0.62, 0.12)}
+"""What leans at the wall in most rooms and lies in some: no middle describes it."""
+STANDING_PARTS = frozenset(
+    "Cabinet Drawer Shelf Curtains ShowerCurtain ShowerDoor ShowerGlass".split()
+)
+"""Parts AI2-THOR counts among what is on the floor, in some rooms, if they reach down to it."""
+ON_THE_COUNTER = frozenset(("Faucet", "Sink"))
+
+
+def add_things(site: Site) -> None:
+    """Put in all small things the room is to have."""
+    kinds = [
+        name
+        for name, each in object_types().items()
+        if "pickupable" in each.traits and site.count(name)
+    ]
+    for name in sorted(kinds, key=lambda name: (-max(_natural(site, name)), name)):
+        for _ in range(site.count(name)):
+            put_on(site, name, _natural(site, name))
+
+
+def put_on(site: Site, kind: str, extent: Vector, *, back: bool = False) -> bool:
+    """Put something on what real ones stand on; `back` puts it as far back as it goes."""
+    full: set[str] = set()
+    for _ in range(4 * TRIES):
+        receptacle = _draw_receptacle(site, kind, full)
+        if receptacle is None:
+            return False
+        if receptacle.type == "Floor":
+            if _lay_on_floor(site, kind, extent):
+                return True
+        elif any(_put_in(site, kind, extent, receptacle, back) for _ in range(TRIES)):
+            return True
+        full.add(receptacle.id)
+    return False
+
+
+def settle(site: Site) -> None:
+    """Give everything the states real ones are in, and list what reaches down to the floor."""
+    types = real_rooms()[site.kind].types
+    kinds: dict[str, SceneObject] = {}
+    for thing in list(site.things.values()):
+        shares = types[thing.type].states if thing.type in types else {}
+        first = kinds.get(thing.type) is None
+        kinds[thing.type] = thing
+        levels = site.inventory.levels
+        states = {
+            state: (levels[f"{thing.type} {state}"] if first else site.random.random()) >= 1 - share
+            for state, share in shares.items()
+        }
+        if states.get("filled"):
+            site.change(thing.id, liquid="wine")
+        cold = any(parent.startswith("Fridge") for parent in thing.parents)
+        site.change(thing.id, **states, **({"temperature": "Cold"} if cold else {}))
+    for kind in sorted(STANDING_PARTS):
+        ours = [thing for thing in site.things.values() if thing.type == kind]
+        ours.sort(key=lambda thing: bottom(thing.box))
+        for thing in ours[: round(site.chance(kind, "Floor") * len(ours))]:
+            if bottom(thing.box) < 0.45:
+                site.place_in(thing.id, site.floor)
+    for tub in [thing for thing in site.things.values() if thing.type == "Bathtub"]:
+        for curtain in [each for each in site.things.values() if each.type == "ShowerCurtain"]:
+            if site.random.random() < site.chance("ShowerCurtain", "Bathtub"):
+                site.place_in(curtain.id, tub.id)
+    for thing in list(site.things.values()):
+        if thing.type in ON_THE_COUNTER and site.random.random() < site.chance(
+            thing.type, "CounterTop"
+        ):
+            for counter in _counters_under(site, thing):
+                site.place_in(thing.id, counter.id)
+
+
+def _counters_under(site: Site, thing: SceneObject) -> list[SceneObject]:
+    area = footprint(thing.box)
+    counters = [each for each in site.things.values() if each.type == "CounterTop"]
+    return [each for each in counters if footprint(each.box).covers(area.x, area.z)][:1]
+
+
+def _natural(site: Site, name: str) -> Vector:
+    extent = UPRIGHT.get(name) or site.extent(name)
+    return extent if site.random.random() < 0.5 else Vector(extent.z, extent.y, extent.x)
+
+
+def _draw_receptacle(site: Site, kind: str, full: set[str]) -> SceneObject | None:
+    """Draw a receptacle of the room, as often as real instances lie on one of its type."""
+    each = real_rooms()[site.kind].types.get(kind)
+    found = dict(each.found_on) if each else dict(object_type(kind).found_on)
+    # What stands on nothing stands on the floor, but for small things caught as they fell.
+    nowhere = found.pop("", 0)
+    if nowhere and "pickupable" not in object_type(kind).traits:
+        found["Floor"] = found.get("Floor", 0) + nowhere
+    for whole in ("Sink", "Bathtub"):
+        if whole in found and not (whole == "Bathtub" and kind in ON_RIM):
+            found[f"{whole}Basin"] = found.pop(whole)
+    present: dict[str, list[SceneObject]] = {}
+    for thing in site.things.values():
+        if thing.receptacle and thing.id not in full:
+            present.setdefault(thing.type, []).append(thing)
+    names = [name for name in present if found.get(name)]
+    weights = [found[name] / _share(site, name) for name in names]
+    if not names:
+        names = [name for name in present if object_type(kind).may_go(name) and name != "Floor"]
+        names = [name for name in names if name in _LIKELY] or names
+        weights = [1.0] * len(names)
+    if not names:
+        return None
+    of_type = present[site.random.choices(names, weights)[0]]
+    sizes = [max(0.2, thing.box.size.x * thing.box.size.z) for thing in of_type]
+    return site.random.choices(of_type, sizes)[0]
+
+
+def _share(site: Site, receptacle: str) -> float:
+    """Return how many of the real rooms have a type: where it is rare, more lies on each."""
+    each = real_rooms()[site.kind].types.get(receptacle)
+    return each.share if each else 1.0
+
+
+_LIKELY = frozenset(
+    "CounterTop DiningTable Desk Dresser Shelf SideTable CoffeeTable TVStand Bed Sofa".split()
+)
+
+
+def _put_in(site: Site, kind: str, extent: Vector, receptacle: SceneObject, back: bool) -> bool:
+    if receptacle.type == "Bathtub":
+        return _put_on_rim(site, kind, extent, receptacle)
+    area = footprint(receptacle.box)
+    near = (site.random.uniform(area.left, area.right), site.random.uniform(area.near, area.far))
+    if back:
+        extent = facing(extent, receptacle.yaw)
+    middle = Vector(0, 0, 0)
+    probe = SceneObject("", kind, "", middle, 0.0, Box(middle, extent))
+    rank = _farthest_back(receptacle, near) if back or kind == "Pillow" else nearest_to(*near)
+    spot = free_spot(site.things, probe, site.things[receptacle.id], rank)
+    if spot is None or not site.within_reach(spot.middle.x, spot.middle.z, NEAR):
+        return False
+    yaw = receptacle.yaw if back else 0.0
+    site.add(kind, Box(*spot), yaw, parent=receptacle.id)
+    return True
+
+
+def _farthest_back(receptacle: SceneObject, near: tuple[float, float]) -> Rank:
+    ahead_x, ahead_z = forward(receptacle.yaw)
+    return lambda x, z: (
+        10 * (x * ahead_x + z * ahead_z) + abs(x - near[0]) + abs(z - near[1])
+    )
+
+
+def _put_on_rim(site: Site, kind: str, extent: Vector, tub: SceneObject) -> bool:
+    wall = next(wall for wall in site.walls if wall.yaw == tub.yaw)
+    long = max(tub.box.size.x, tub.box.size.z)
+    middle = tub.box.center.x if wall.yaw in (0, 180) else tub.box.center.z
+    along = middle + site.random.uniform(-0.4, 0.4) * long
+    lying = Vector(max(extent.x, extent.z), extent.y, min(extent.x, extent.z))
+    box = wall.box(along, lying, low=top(tub.box), gap=0.04)
+    taken = (footprint(site.things[name].box) for name in site.things[tub.id].contents or ())
+    if any(footprint(box).meets(each) for each in taken):
+        return False
+    if not site.within_reach(box.center.x, box.center.z, NEAR):
+        return False
+    site.add(kind, box, parent=tub.id)
+    return True
+
+
+def _lay_on_floor(site: Site, kind: str, extent: Vector) -> bool:
+    """Lay something on the floor by a wall, out of the way."""
+    places: list[tuple[float, Wall, float]] = []
+    for wall in site.walls:
+        room = (wall.length - extent.x) / 2 - 0.05
+        for step in range(max(0, int(2 * room / 0.1)) + 1):
+            along = -room + step * 0.1
+            places.append((site.random.random() + 0.5 * (room - abs(along)), wall, along))
+    for _, wall, along in sorted(places, key=lambda place: place[0]):
+        box = wall.box(along, extent, gap=0.04)
+        area: Footprint = footprint(box)
+        if site.clear(area) and site.within_reach(area.x, area.z, NEAR):
+            site.stand(kind, box, wall.yaw)
+            return True
+    return False
+
