@@ -122,10 +122,10 @@ def _runs(site: Site, wall: Wall, shape: str) -> list[Run]:
         return [Run(wall, -half, half, (True, True)), *arms]
     if shape == "corner":
         end = site.random.choice((0, 1))
-        long = min(wall.length, site.between(2.8, 5.0))
+        long = min(wall.length, site.between(3.2, 5.6))
         ends = (-half, -half + long) if end == 0 else (half - long, half)
         return [Run(wall, *ends, (end == 0, end == 1)), _arm(site, wall, end, across)]
-    long = min(wall.length, site.between(3.2, 6.0))
+    long = min(wall.length, site.between(3.6, 7.0))
     if wall.length - long < 0.7:
         long = wall.length
     shift = site.random.choice((-1, 0, 1)) * (wall.length - long) / 2
@@ -133,7 +133,7 @@ def _runs(site: Site, wall: Wall, shape: str) -> list[Run]:
     if shape == "line":
         return [main]
     other = site.opposite(wall)
-    long = min(wall.length - 1.0, site.between(1.6, 3.6))
+    long = min(wall.length - 1.0, site.between(2.0, 4.4))
     shift = site.random.choice((-1, 1)) * (wall.length - long) / 2
     return [main, Run(other, shift - long / 2, shift + long / 2)]
 
@@ -141,7 +141,7 @@ def _runs(site: Site, wall: Wall, shape: str) -> list[Run]:
 def _arm(site: Site, wall: Wall, end: int, across: float) -> Run:
     """Return the run along the wall at one end of the main one."""
     side = site.beside(wall)[end]
-    long = min(across - DEPTH - 0.95, site.between(1.5, 3.6))
+    long = min(across - DEPTH - 0.95, site.between(1.8, 4.2))
     # Places along a wall grow with x or z, and so a run begins where the main wall stands.
     near_low = wall.yaw in (0, 90)
     half = side.length / 2

@@ -15,6 +15,8 @@ Item = TypeVar("Item")
 
 DOOR = Vector(0.9, 2.05, 0.9)
 """Width and height of the doorway, and how much floor before it stays free."""
+NEAR = 0.95
+"""Metres from where the robot can stand within which small things lie."""
 SWITCH = Vector(0.12, 0.15, 0.03)
 
 
@@ -186,10 +188,10 @@ class Site(Draft):
         bounds = Box(Vector(0.0, CEILING / 2, 0.0), Vector(self.width, CEILING, self.depth))
         self.walkable = WalkableFloor(bounds, self.things.values(), None).points
 
-    def within_reach(self, x: float, z: float, arm: float) -> bool:
-        """Whether the robot can stand that near; anything is, before it walked."""
+    def within_reach(self, area: Footprint) -> bool:
+        """Whether the robot can stand near enough; anything is near, before it walked."""
         return not self.walkable or any(
-            (x - point.x) ** 2 + (z - point.z) ** 2 <= arm * arm for point in self.walkable
+            area.distance(point.x, point.z) <= NEAR for point in self.walkable
         )
 
     def keep_passages(self) -> None:

@@ -9,10 +9,17 @@ from reibench.household.placement import Rank, free_spot, nearest_to
 from reibench.scene import Box, SceneObject, Vector
 
 TRIES = 8
-NEAR = 0.95
-"""Metres from where the robot can stand within which small things lie."""
+_PAN, _PLATE, _CUP = Vector(0.42, 0.2, 0.3), Vector(0.27, 0.1, 0.27), Vector(0.16, 0.15, 0.16)
+SPARE = {
+    **dict.fromkeys(("CounterTop", "DiningTable", "Desk", "Dresser", "Bed", "Sofa"), _PAN),
+    **dict.fromkeys(("CoffeeTable", "TVStand", "SinkBasin", "ArmChair", "Toilet"), _PLATE),
+    **dict.fromkeys(("SideTable", "Shelf"), _CUP),
+}
+"""What is kept free on receptacles, so that things can be put down there."""
 ON_RIM = frozenset(("Candle", "SoapBar", "SoapBottle", "ToiletPaper", "TissueBox", "DishSponge"))
 """What stands on the rim of a tub rather than lies in it."""
+STANDING = frozenset(("HousePlant",))
+"""What stands on the floor where it stands on nothing AI2-THOR names; other things hang."""
 UPRIGHT = {"BaseballBat": Vector(0.12, 0.85, 0.12), "TennisRacket": Vector(0.28, 0.62, 0.12)}
 """What leans at the wall in most rooms and lies in some: no middle describes it."""
 STANDING_PARTS = frozenset(
@@ -100,9 +107,8 @@ def _draw_receptacle(site: Site, kind: str, full: set[str]) -> SceneObject | Non
     """Draw a receptacle of the room, as often as real instances lie on one of its type."""
     each = real_rooms()[site.kind].types.get(kind)
     found = dict(each.found_on) if each else dict(object_type(kind).found_on)
-    # What stands on nothing stands on the floor, but for small things caught as they fell.
     nowhere = found.pop("", 0)
-    if nowhere and "pickupable" not in object_type(kind).traits:
+    if kind in STANDING:
         found["Floor"] = found.get("Floor", 0) + nowhere
     for whole in ("Sink", "Bathtub"):
         if whole in found and not (whole == "Bathtub" and kind in ON_RIM):
@@ -144,13 +150,28 @@ def _put_in(site: Site, kind: str, extent: Vector, receptacle: SceneObject, back
         extent = facing(extent, receptacle.yaw)
     middle = Vector(0, 0, 0)
     probe = SceneObject("", kind, "", middle, 0.0, Box(middle, extent))
-    rank = _farthest_back(receptacle, near) if back or kind == "Pillow" else nearest_to(*near)
+    behind = back or (kind == "Pillow" and site.random.random() < 0.7)
+    rank = _farthest_back(receptacle, near) if behind else nearest_to(*near)
     spot = free_spot(site.things, probe, site.things[receptacle.id], rank)
-    if spot is None or not site.within_reach(spot.middle.x, spot.middle.z, NEAR):
+    if spot is None or not site.within_reach(footprint(Box(*spot))):
         return False
     yaw = receptacle.yaw if back else 0.0
-    site.add(kind, Box(*spot), yaw, parent=receptacle.id)
-    return True
+    added = site.add(kind, Box(*spot), yaw, parent=receptacle.id)
+    if _has_room(site, receptacle):
+        return True
+    site.remove(added.id)
+    return False
+
+
+def _has_room(site: Site, receptacle: SceneObject) -> bool:
+    """Whether one more thing still finds room there: a room is to be worked in."""
+    extent = SPARE.get(receptacle.type)
+    if extent is None:
+        return True
+    probe = SceneObject("", "Plate", "", extent, 0.0, Box(Vector(0, 0, 0), extent))
+    middle = receptacle.box.center
+    rank = nearest_to(middle.x, middle.z)
+    return free_spot(site.things, probe, site.things[receptacle.id], rank) is not None
 
 
 def _farthest_back(receptacle: SceneObject, near: tuple[float, float]) -> Rank:
@@ -170,7 +191,7 @@ def _put_on_rim(site: Site, kind: str, extent: Vector, tub: SceneObject) -> bool
     taken = (footprint(site.things[name].box) for name in site.things[tub.id].contents or ())
     if any(footprint(box).meets(each) for each in taken):
         return False
-    if not site.within_reach(box.center.x, box.center.z, NEAR):
+    if not site.within_reach(footprint(box)):
         return False
     site.add(kind, box, parent=tub.id)
     return True
@@ -187,7 +208,7 @@ def _lay_on_floor(site: Site, kind: str, extent: Vector) -> bool:
     for _, wall, along in sorted(places, key=lambda place: place[0]):
         box = wall.box(along, extent, gap=0.04)
         area: Footprint = footprint(box)
-        if site.clear(area) and site.within_reach(area.x, area.z, NEAR):
+        if site.clear(area) and site.within_reach(area):
             site.stand(kind, box, wall.yaw)
             return True
     return False
