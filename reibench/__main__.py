@@ -5,7 +5,16 @@ import sys
 from argparse import ArgumentParser
 from collections.abc import Sequence
 
-from reibench.commands import benching, checking, listing, replaying, running, scoring, shelving
+from reibench.commands import (
+    benching,
+    checking,
+    importing,
+    listing,
+    replaying,
+    running,
+    scoring,
+    shelving,
+)
 from reibench.commands.output import tell
 from reibench.errors import ReibenchError
 
@@ -15,6 +24,7 @@ COMMANDS = {
     "run": (running, "let a planner play episodes; goes on where it was stopped"),
     "score": (scoring, "success and error kinds of every run, with intervals"),
     "replay": (replaying, "play records again, and verify that they come out the same"),
+    "import": (importing, "bring in rooms and trials from elsewhere"),
     "check-dataset": (checking, "are the episodes sound, and can they be solved?"),
     "bench": (benching, "measure speed and memory"),
 }

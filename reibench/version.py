@@ -6,6 +6,8 @@ from collections.abc import Iterable
 from functools import lru_cache
 from pathlib import Path
 
+from reibench.household.rooms import imported_rooms
+
 ROOT = Path(__file__).parents[1]
 FILES = ("assets/rooms/*", "assets/examples/*", "reibench/household/objects.csv")
 """Files that code of a run reads."""
@@ -13,11 +15,16 @@ FILES = ("assets/rooms/*", "assets/examples/*", "reibench/household/objects.csv"
 
 @lru_cache(maxsize=64)
 def code_version(*modules: str) -> str:
-    """Return 12 hex digits that change when `modules`, or what they import of ours, does."""
+    """Return 12 hex digits that change when `modules`, or what they import of ours, does.
+
+    So do they when rooms are imported, or imported ones changed.
+    """
     paths = {*_with_imports(modules), *(path for pattern in FILES for path in ROOT.glob(pattern))}
     sha = hashlib.sha256()
     for path in sorted(paths):
         sha.update(str(path.relative_to(ROOT)).encode() + path.read_bytes())
+    for path in sorted(imported_rooms().glob("*.json")):
+        sha.update(path.name.encode() + path.read_bytes())
     return sha.hexdigest()[:12]
 
 

@@ -17,6 +17,8 @@ from reibench.skill import parse_skill
 from reibench.store import Store
 from reibench.worlds import World, worlds
 
+# Rooms that happen to have been imported on this machine are none of the tests' business.
+os.environ["REIBENCH_ROOMS"] = str(Path(__file__).parent / "no-imported-rooms")
 SHARED = Path(os.environ.get("REIBENCH_SHARED", Path(__file__).parents[1] / ".." / "shared"))
 
 

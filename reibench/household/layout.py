@@ -5,9 +5,9 @@ from dataclasses import dataclass, field, replace
 from random import Random
 from typing import Any, NamedTuple
 
+from reibench.household.entries import name_of
 from reibench.household.geometry import Footprint, bottom, footprint
 from reibench.household.objects import ROOM_KINDS, TRAITS, object_type
-from reibench.household.rooms import name_of
 from reibench.scene import Box, SceneObject, Vector
 
 CEILING = 2.6

@@ -2,11 +2,13 @@
 
 from collections.abc import Iterable, Mapping
 from itertools import product
+from struct import Struct
 from typing import Any
 
 from reibench.errors import InvalidRoom
 from reibench.household.geometry import forward, volume
-from reibench.household.objects import ObjectType, object_type
+from reibench.household.objects import object_type
+from reibench.household.particulars import Particulars, usual
 from reibench.household.state import HAND_DISTANCE, HAND_HEIGHT, Moment
 from reibench.scene import Box, Pose, Scene, SceneObject, Vector
 
@@ -55,37 +57,40 @@ def agent_metadata(moment: Moment, *, width: int = 300, height: int = 300) -> Me
 
 def object_metadata(moment: Moment, thing: SceneObject) -> Metadata:
     """Return what AI2-THOR reports of one object."""
-    kind = object_type(thing.type)
+    room = moment.room
+    own = room.particulars.get(thing.id) or usual(object_type(thing.type), thing)
+    # Boxes are replaced, never changed: the same one has not been moved.
+    at_home = room.particulars and room.by_id.get(thing.id, thing).box is thing.box
     (x, y, z), here = thing.position, moment.agent.position
     distance = ((x - here.x) ** 2 + (y - here.y) ** 2 + (z - here.z) ** 2) ** 0.5
     seen = thing.id in moment.scene.visible
-    openness = moment.openness.get(thing.id, 1.0) if thing.open else 0.0
+    in_order = own.parents if sorted(own.parents) == sorted(thing.parents) else thing.parents
     return {
         "name": thing.name,
         "objectId": thing.id,
         "objectType": thing.type,
-        "assetId": "",
+        "assetId": own.asset,
         "position": _point(thing.position),
-        "rotation": _turn(thing.yaw),
+        "rotation": _turn(thing.yaw, *(own.tilt if at_home else ())),
         "visible": seen,
         "isInteractable": seen,
         "distance": distance,
         "receptacle": thing.receptacle,
         "receptacleObjectIds": None if thing.contents is None else list(thing.contents),
-        "parentReceptacles": list(thing.parents) or None,
+        "parentReceptacles": list(in_order) or None,
         "pickupable": thing.pickupable,
         "isPickedUp": thing.held,
         "moveable": thing.moveable,
         "isMoving": False,
         "openable": thing.openable,
         "isOpen": thing.open,
-        "openness": openness,
+        "openness": moment.openness.get(thing.id, 1.0 if thing.open else 0.0),
         **_states(thing),
-        "mass": kind.mass,
-        "salientMaterials": _materials(kind, thing),
-        "controlledObjects": list(moment.room.controls.get(thing.id, ())) or None,
+        "mass": own.mass,
+        "salientMaterials": None if own.materials is None else list(own.materials),
+        "controlledObjects": list(room.controls.get(thing.id, ())) if thing.toggleable else None,
         "axisAlignedBoundingBox": _box(thing.box),
-        "objectOrientedBoundingBox": _corners(thing.box) if thing.pickupable else None,
+        "objectOrientedBoundingBox": _oriented(thing, own) if at_home else _around(thing),
     }
 
 
@@ -203,8 +208,8 @@ def _point(point: Vector) -> dict[str, float]:
     return {"x": point.x, "y": point.y, "z": point.z}
 
 
-def _turn(yaw: float) -> dict[str, float]:
-    return {"x": 0.0, "y": yaw, "z": 0.0}
+def _turn(yaw: float, x: float = 0.0, z: float = 0.0) -> dict[str, float]:
+    return {"x": x, "y": yaw, "z": z}
 
 
 def _camera(pose: Pose) -> Vector:
@@ -222,8 +227,15 @@ def _hand(pose: Pose) -> Metadata:
     }
 
 
-def _materials(kind: ObjectType, thing: SceneObject) -> list[str] | None:
-    return list(kind.materials) if thing.pickupable or thing.moveable else None
+def _oriented(thing: SceneObject, own: Particulars) -> Metadata | None:
+    if not own.corners:
+        return None
+    return {"cornerPoints": [list(corner) for corner in own.corners]}
+
+
+def _around(thing: SceneObject) -> Metadata | None:
+    """Return the box of something not turned, of what AI2-THOR reports one."""
+    return _corners(thing.box) if thing.pickupable or thing.moveable else None
 
 
 def _box(box: Box) -> Metadata:
@@ -232,12 +244,18 @@ def _box(box: Box) -> Metadata:
 
 def _corners(box: Box) -> Metadata:
     sides: Iterable[tuple[float, float]] = (
-        (middle + extent / 2, middle - extent / 2)
+        (_single(middle + _single(extent / 2)), _single(middle - _single(extent / 2)))
         for middle, extent in zip(box.center, box.size, strict=True)
     )
     return {"cornerPoints": [list(corner) for corner in product(*sides)]}
 
 
+def _single(value: float) -> float:
+    """Round to single precision, in which AI2-THOR computes corners."""
+    return float(_SINGLE.unpack(_SINGLE.pack(value))[0])
+
+
+_SINGLE = Struct("f")
 _UNUSED = (
     "colors flatSurfacesOnGrid distances normals isOpenableGrid segmentedObjectIds objectIdsInBox"
     " actionStringsReturn actionFloatsReturn actionVector3sReturn"

@@ -1,21 +1,26 @@
 """Rooms: what stands where before anything happens, and the files they are kept in."""
 
 import json
-from collections.abc import Mapping
+import os
+import re
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
-from zlib import crc32
 
 from reibench.errors import InvalidRoom, UnknownName, unknown
+from reibench.household.entries import describe_object, exact, read_box, read_object, rounded
 from reibench.household.floor import WalkableFloor
 from reibench.household.geometry import Footprint, footprint
-from reibench.household.objects import TRAITS, object_type, type_of
+from reibench.household.particulars import Particulars
+from reibench.household.particulars import describe as describe_particulars
+from reibench.household.particulars import read as read_particulars
 from reibench.scene import Box, Pose, SceneObject, Vector
 
-ROOMS = Path(__file__).parents[2] / "assets" / "rooms"
-STATES = ("open", "on", "dirty", "filled", "broken", "cooked")
+PROJECT = Path(__file__).parents[2]
+ROOMS = PROJECT / "assets" / "rooms"
+"""The rooms that come with the library."""
 
 
 @dataclass(frozen=True)
@@ -31,6 +36,12 @@ class Room:
     start: Pose
     controls: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     """Ids of what a switch switches: a stove knob its burner."""
+    openness: Mapping[str, float] = field(default_factory=dict)
+    """How far what is neither shut nor wide open is open, 0 to 1."""
+    particulars: Mapping[str, Particulars] = field(default_factory=dict)
+    """By id, of the objects of rooms read from AI2-THOR; generated ones have none."""
+    standing: tuple[Vector, ...] = ()
+    """Where AI2-THOR says the robot can stand; empty if it has not been asked."""
 
     @cached_property
     def by_id(self) -> dict[str, SceneObject]:
@@ -53,9 +64,16 @@ class Room:
         return self.floor.points
 
 
+def imported_rooms() -> Path:
+    """Where imported rooms are kept: `REIBENCH_ROOMS`, or `data/rooms` under the project."""
+    return Path(os.environ.get("REIBENCH_ROOMS") or PROJECT / "data" / "rooms").expanduser()
+
+
 def room_names() -> tuple[str, ...]:
-    """Return the names of the rooms at hand, sorted."""
-    return tuple(sorted(path.stem for path in ROOMS.glob("*.json")))
+    """Return the names of the rooms at hand, the shipped and the imported ones, sorted."""
+    folders = (ROOMS, imported_rooms())
+    names = {path.stem for folder in folders for path in folder.glob("*.json")}
+    return tuple(sorted(names, key=_by_number))
 
 
 def load_room(name: str | Path) -> Room:
@@ -65,11 +83,7 @@ def load_room(name: str | Path) -> Room:
         UnknownName: when there is none called that.
         InvalidRoom: when its file is damaged or says something impossible.
     """
-    path = Path(name)
-    if path.suffix != ".json":
-        if str(name) not in room_names():
-            raise unknown("room", str(name), room_names())
-        path = ROOMS / f"{name}.json"
+    path = _file_of(name)
     try:
         return parse_room(json.loads(path.read_text(encoding="utf-8")))
     except FileNotFoundError:
@@ -86,16 +100,21 @@ def save_room(room: Room, path: Path) -> None:
 
 
 def format_room(room: Room) -> str:
-    """Return `room` as the text of its file."""
+    """Return `room` as the text of its file; what was measured in AI2-THOR is not rounded."""
+    numbers = exact if room.particulars else rounded
     head = {
         "name": room.name,
         "kind": room.kind,
-        "bounds": _numbers(*room.bounds.center, *room.bounds.size),
-        "start": _numbers(*room.start.position, room.start.yaw, room.start.horizon),
+        "bounds": numbers(*room.bounds.center, *room.bounds.size),
+        "start": numbers(*room.start.position, room.start.yaw, room.start.horizon),
         "controls": {name: list(ids) for name, ids in room.controls.items()},
     }
+    if room.openness:
+        head["openness"] = dict(room.openness)
+    if room.standing:
+        head["standing"] = [number for point in room.standing for number in point]
     lines = [f' "{key}": {_dump(value)},' for key, value in head.items()]
-    objects = ",\n".join(f"  {_dump(_describe(thing))}" for thing in room.objects)
+    objects = ",\n".join(f"  {_dump(entry)}" for entry in _entries(room))
     return "{\n" + "\n".join(lines) + f'\n "objects": [\n{objects}\n ]\n}}\n'
 
 
@@ -111,13 +130,11 @@ def parse_room(content: object) -> Room:
         raise InvalidRoom(str(error)) from None
 
 
-def name_of(object_id: str) -> str:
-    """Return an object name like AI2-THOR's: the type and eight digits, here made of the id."""
-    return f"{type_of(object_id)}_{crc32(object_id.encode()):08x}"
-
-
 def with_contents(things: list[SceneObject]) -> tuple[SceneObject, ...]:
-    """Return `things` with each receptacle's `contents` made to agree with their `parents`."""
+    """Return `things` with each receptacle's `contents` made to agree with their `parents`.
+
+    Contents that agree keep their order.
+    """
     held: dict[str, list[str]] = {thing.id: [] for thing in things}
     for thing in things:
         for parent in thing.parents:
@@ -133,12 +150,40 @@ def with_contents(things: list[SceneObject]) -> tuple[SceneObject, ...]:
     return tuple(made)
 
 
+def _entries(room: Room) -> Iterator[dict[str, Any]]:
+    """Yield each object's entry; the order of contents is told where it is not the room's."""
+    emptied = [replace(each, contents=() if each.receptacle else None) for each in room.objects]
+    for thing, usual in zip(room.objects, with_contents(emptied), strict=True):
+        entry = describe_object(thing, exact if room.particulars else rounded)
+        if thing.contents != usual.contents:
+            entry["holds"] = list(thing.contents or ())
+        if own := room.particulars.get(thing.id):
+            entry |= describe_particulars(own)
+        yield entry
+
+
 def _changed(thing: SceneObject, contents: tuple[str, ...] | None) -> SceneObject:
-    return thing if thing.contents == contents else replace(thing, contents=contents)
+    same = sorted(thing.contents or ()) == sorted(contents or ())
+    return thing if same else replace(thing, contents=contents)
+
+
+def _file_of(name: str | Path) -> Path:
+    path = Path(name)
+    if path.suffix == ".json":
+        return path
+    for folder in (ROOMS, imported_rooms()):
+        if path.name == str(name) and (folder / f"{name}.json").is_file():
+            return folder / f"{name}.json"
+    raise unknown("room", str(name), room_names())
+
+
+def _by_number(name: str) -> list[tuple[int, str]]:
+    """Sort `FloorPlan10` after `FloorPlan9`."""
+    return [(int(part), "") if part.isdigit() else (0, part) for part in re.split(r"(\d+)", name)]
 
 
 def _parse(content: Any) -> Room:
-    things = [_read_object(entry) for entry in content["objects"]]
+    things = [read_object(entry) for entry in content["objects"]]
     ids = [thing.id for thing in things]
     if twice := next((name for name in ids if ids.count(name) > 1), None):
         raise InvalidRoom(f"{twice} is in it twice.")
@@ -150,62 +195,25 @@ def _parse(content: Any) -> Room:
     return Room(
         name=str(content["name"]),
         kind=str(content["kind"]),
-        bounds=_box(content["bounds"]),
+        bounds=read_box(content["bounds"]),
         objects=with_contents(things),
         start=Pose(Vector(x, y, z), yaw, horizon),
         controls=controls,
+        openness={str(name): float(much) for name, much in content.get("openness", {}).items()},
+        particulars=dict(_particulars(content["objects"])),
+        standing=_points(content.get("standing", ())),
     )
 
 
-def _read_object(entry: dict[str, Any]) -> SceneObject:
-    kind = object_type(type_of(entry["id"]))
-    traits = frozenset(entry.get("traits", kind.traits))
-    return SceneObject(
-        id=entry["id"],
-        type=kind.name,
-        name=entry.get("name") or name_of(entry["id"]),
-        position=Vector(*map(float, entry["at"])),
-        yaw=float(entry.get("yaw", 0)),
-        box=_box(entry["box"]),
-        parents=tuple(entry.get("in", ())),
-        contents=() if "receptacle" in traits else None,
-        liquid=entry.get("liquid", ""),
-        temperature=entry.get("temperature", "RoomTemp"),
-        **{trait: trait in traits for trait in TRAITS[1:]},
-        **{state: bool(entry.get(state, False)) for state in STATES},
-    )
+def _particulars(entries: list[dict[str, Any]]) -> Iterator[tuple[str, Particulars]]:
+    for entry in entries:
+        if own := read_particulars(entry):
+            yield entry["id"], own
 
 
-def _describe(thing: SceneObject) -> dict[str, Any]:
-    """Say only what its id and type do not."""
-    entry: dict[str, Any] = {"id": thing.id, "at": _numbers(*thing.position)}
-    entry["box"] = _numbers(*thing.box.center, *thing.box.size)
-    if thing.yaw:
-        entry["yaw"] = _numbers(thing.yaw)[0]
-    if thing.parents:
-        entry["in"] = list(thing.parents)
-    if thing.name != name_of(thing.id):
-        entry["name"] = thing.name
-    traits = {trait for trait in TRAITS[1:] if getattr(thing, trait)}
-    traits |= {"receptacle"} if thing.receptacle else set()
-    if traits != object_type(thing.type).traits:
-        entry["traits"] = sorted(traits)
-    entry |= {state: True for state in STATES if getattr(thing, state)}
-    if thing.liquid:
-        entry["liquid"] = thing.liquid
-    if thing.temperature != "RoomTemp":
-        entry["temperature"] = thing.temperature
-    return entry
-
-
-def _box(numbers: list[float]) -> Box:
-    x, y, z, width, height, depth = map(float, numbers)
-    return Box(Vector(x, y, z), Vector(width, height, depth))
-
-
-def _numbers(*values: float) -> list[float]:
-    """Round to a tenth of a millimetre, so that files can be compared."""
-    return [int(value) if value == int(value) else round(value, 4) for value in values]
+def _points(numbers: list[float]) -> tuple[Vector, ...]:
+    flat = iter(map(float, numbers))
+    return tuple(Vector(*each) for each in zip(flat, flat, flat, strict=True))
 
 
 def _dump(value: object) -> str:

@@ -74,7 +74,7 @@ class State:
         self.settings = settings
         self.objects: Objects = room.by_id
         self.footprints = room.footprints
-        self.openness: dict[str, float] = {}
+        self.openness = dict(room.openness)
         self.held = next((thing.id for thing in room.objects if thing.held), "")
         self.warmth: dict[str, int] = {}
         """When each hot or cold thing was last kept so."""

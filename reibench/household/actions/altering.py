@@ -3,8 +3,8 @@
 from dataclasses import replace
 
 from reibench.household.actions import Refused, action, interactable
+from reibench.household.entries import name_of
 from reibench.household.objects import SLICES, object_type
-from reibench.household.rooms import name_of
 from reibench.household.state import State
 from reibench.scene import Box, SceneObject, Vector
 
