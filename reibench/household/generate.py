@@ -84,8 +84,7 @@ def generate_room(
 
 
 def generate_home(kind: str, seed: int, *, name: str, stratum: Stratum | None = None) -> Room:
-    """Make up a room that is like real ones in what it holds and where; the same arguments give
-    the same room.
+    """Make up a room that is like real ones; the same arguments give the same room.
 
     Args:
         kind: `kitchen`, `living room`, `bedroom` or `bathroom`.
@@ -130,9 +129,7 @@ def main() -> None:
         save_room(planned_room(name, plan), ROOMS / f"{name}.json")
 
 
-def shortcomings(
-    room: Room, require: Collection[str] = (), *, hiding: bool = True
-) -> list[str]:
+def shortcomings(room: Room, require: Collection[str] = (), *, hiding: bool = True) -> list[str]:
     """Say what is wrong with a room: what is missing, in the way or out of reach.
 
     `hiding` asks for something that is put away, which many a real room has not.

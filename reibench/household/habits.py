@@ -1,7 +1,7 @@
 """Habits: how real rooms are, as numbers to draw from.
 
 The table beside this module holds statistics of AI2-THOR's real rooms and no room itself;
-`python -m reibench compare-rooms --real DIR --save FILE` makes it.
+`python -m reibench compare-rooms --real DIR --save` makes it.
 """
 
 import json

@@ -93,7 +93,9 @@ HOMES = 28
 PLANS: Mapping[str, Plan] = {
     **_WRITTEN,
     **{
-        f"{kind.replace(' ', '-')}-{index + 3}": Plan(kind, index + 3, stratum=Stratum(index, HOMES))
+        f"{kind.replace(' ', '-')}-{index + 3}": Plan(
+            kind, index + 3, stratum=Stratum(index, HOMES)
+        )
         for kind in ROOM_KINDS
         for index in range(HOMES)
     },

@@ -7,7 +7,14 @@ from reibench.household.geometry import footprint
 from reibench.household.homes.site import Site
 from reibench.household.homes.storage import Chest, add_all_drawers, add_cupboards, add_shelving
 from reibench.household.homes.things import put_on
-from reibench.household.homes.walls import add_windows, cover_windows, hang_all, stand_about
+from reibench.household.homes.walls import (
+    add_door,
+    add_windows,
+    cover_windows,
+    hang,
+    hang_all,
+    stand_about,
+)
 from reibench.household.layout import Wall
 from reibench.scene import Vector
 
@@ -50,7 +57,7 @@ def furnish_bathroom(site: Site) -> None:
     if way.tub:
         _tub(site, way)
     chests = _wash_basins(site)
-    site.door()
+    add_door(site)
     _toilet(site)
     for kind in ("Dresser", "SideTable", "Footstool", "GarbageCan"):
         stand_about(site, kind, passage=0.3)
@@ -66,7 +73,7 @@ def furnish_bathroom(site: Site) -> None:
 
 
 def _tub(site: Site, way: Bathing) -> None:
-    extent = Vector(site.between(1.7, 2.1), 0.6, site.between(0.85, 1.1))
+    extent = Vector(site.between(1.75, 2.2), 0.6, site.between(0.85, 1.2))
     found = site.along_wall(extent, passage=0.55, gap=0.02, corner=site.random.random() < 0.85)
     if found is None:
         raise Cramped("tub")
@@ -136,7 +143,7 @@ def _wash_basins(site: Site) -> list[Chest]:
             doors -= _fronts(site, wall, along, wide, doors, chests)
     add_cupboards(site, max(0, doors))
     for _ in range(mirrors):
-        site.hang("Mirror", Vector(0.5, 0.9, 0.04), 1.1)
+        hang(site, "Mirror", Vector(0.5, 0.9, 0.04), 1.1)
     return chests
 
 
@@ -177,12 +184,12 @@ def _fronts(
             Vector(wide * share, 0.7, DEPTH - 0.05),
             low=0.1,
         )
-        chests.append(Chest(body, wall.yaw, 0.1, 0.76))
+        chests.append(Chest(body, wall.yaw, 0.1, 0.66))
     left = along if share == 1.0 else along + wide / 4
     for number in range(count):
         one = wide * share / count
         off = ((number + 0.5) / count - 0.5) * wide * share
-        front = Vector(one - 0.02, 0.66, DEPTH - 0.05)
+        front = Vector(one - 0.02, 0.56, DEPTH - 0.05)
         site.add("Cabinet", wall.box(left + off, front, low=0.1), wall.yaw)
     return count
 
@@ -199,6 +206,7 @@ def _toilet(site: Site) -> None:
         if site.free_wall(wall, along + side, holder, 0.75):
             box = wall.box(along + side, holder, low=0.75)
             site.add("ToiletPaperHanger", box, wall.yaw)
+            site.reserve(footprint(box))
             return
     raise Cramped("paper hanger")
 
@@ -210,5 +218,5 @@ def _towels(site: Site) -> None:
     ):
         for _ in range(site.count(kind)):
             towel = Vector(extent.x + 0.06, 0.65, 0.14)
-            if site.hang(kind, extent, low, space=towel) is None:
+            if hang(site, kind, extent, low, space=towel) is None:
                 raise Cramped(kind)

@@ -12,7 +12,13 @@ from reibench.household.homes.storage import (
     seat,
 )
 from reibench.household.homes.things import put_on
-from reibench.household.homes.walls import add_windows, cover_windows, hang_all, stand_about
+from reibench.household.homes.walls import (
+    add_door,
+    add_windows,
+    cover_windows,
+    hang_all,
+    stand_about,
+)
 from reibench.household.layout import Wall
 from reibench.scene import Vector
 
@@ -27,7 +33,7 @@ def furnish_bedroom(site: Site) -> None:
     """Furnish a bedroom."""
     chests: list[Chest] = []
     _beds(site, chests)
-    site.door()
+    add_door(site)
     _desks(site, chests)
     for _ in range(site.count("Dresser")):
         drawn = site.extent("Dresser")

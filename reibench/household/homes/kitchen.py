@@ -3,18 +3,23 @@
 from reibench.household.furnishing.common import Cramped
 from reibench.household.homes.counters import (
     DEPTH,
-    HUNG,
     TOP,
     Counters,
     Slot,
     arrange,
     build,
-    fill_units,
 )
 from reibench.household.homes.site import Site
 from reibench.household.homes.storage import add_shelving, seat
 from reibench.household.homes.things import put_on
-from reibench.household.homes.walls import add_windows, cover_windows, hang_all, stand_about
+from reibench.household.homes.units import HUNG, fill_units
+from reibench.household.homes.walls import (
+    add_door,
+    add_windows,
+    cover_windows,
+    hang_all,
+    stand_about,
+)
 from reibench.scene import Box, Vector
 
 APPLIANCES = {"Microwave": (0.6, 0.34, 0.37), "CoffeeMachine": (0.4, 0.42, 0.36),
@@ -26,7 +31,7 @@ def furnish_kitchen(site: Site) -> None:
     """Furnish a kitchen."""
     counters = arrange(site)
     build(site, counters)
-    site.door()
+    add_door(site)
     windows = site.count("Window")
     for slot in counters.slots:
         if slot.module == "sink":
@@ -52,7 +57,9 @@ def furnish_kitchen(site: Site) -> None:
 
 def _sink(site: Site, slot: Slot) -> None:
     extent = Vector(site.between(0.66, 0.8), 0.18, 0.46)
-    sink = site.add("Sink", slot.wall.box(slot.along, extent, low=TOP - 0.16, gap=0.1), slot.wall.yaw)
+    sink = site.add(
+        "Sink", slot.wall.box(slot.along, extent, low=TOP - 0.16, gap=0.1), slot.wall.yaw
+    )
     inner = Vector(extent.x - 0.12, 0.14, 0.37)
     basin = slot.wall.box(slot.along, inner, low=TOP - 0.14, gap=0.15)
     site.add("SinkBasin", basin, slot.wall.yaw, part_of=sink.id)
@@ -117,13 +124,17 @@ def _eating_places(site: Site) -> None:
         if box is not None and site.random.random() < 0.75:
             site.stand("DiningTable", box)
             tables.append(box)
-        elif (found := site.against_wall("DiningTable", extent, passage=0.6, turned=True)) is not None:
+        elif (
+            found := site.against_wall("DiningTable", extent, passage=0.6, turned=True)
+        ) is not None:
             tables.append(found[0].box)
     for box in tables:
         chairs -= seat(site, "Chair", box, chairs)
     islands = [
         Box(Vector(x, y / 2, z), Vector(width, y, depth))
-        for (x, y, z), (width, _, depth) in (t.box for t in site.things.values() if t.type == "CounterTop")
+        for (x, y, z), (width, _, depth) in (
+            t.box for t in site.things.values() if t.type == "CounterTop"
+        )
         if min(site.width / 2 - abs(x), site.depth / 2 - abs(z)) > 0.8
     ]
     for box in (*islands, *tables):

@@ -12,7 +12,13 @@ from reibench.household.homes.storage import (
     seat,
 )
 from reibench.household.homes.things import put_on
-from reibench.household.homes.walls import add_windows, cover_windows, hang_all, stand_about
+from reibench.household.homes.walls import (
+    add_door,
+    add_windows,
+    cover_windows,
+    hang_all,
+    stand_about,
+)
 from reibench.household.layout import Wall
 from reibench.scene import Box, SceneObject, Vector
 
@@ -23,13 +29,13 @@ LAMP = Vector(0.42, 1.75, 0.42)
 def furnish_living_room(site: Site) -> None:
     """Furnish a living room."""
     screen_wall, middle, chests = _television(site)
-    sofa, along = _sofa(site, site.opposite(screen_wall), middle)
+    sofa = _sofa(site, site.opposite(screen_wall), middle)
     table = _coffee_table(site, sofa)
     # Nothing stands between sofa and screen but the coffee table.
     apart = site.beside(screen_wall)[0].length - 3.2
     if apart > 0.2:
         site.reserve(footprint(_before(sofa, Vector(0.8, 1, apart / 2), 1.2)))
-    site.door()
+    add_door(site)
     _side_tables(site, sofa, chests)
     _lamp(site, sofa)
     _more_seats(site, sofa, table)
@@ -97,7 +103,7 @@ def _stand_extent(site: Site, kind: str, screen: Vector) -> Vector:
     return Vector(max(screen.x, min(drawn.x, 2.0)), high, min(0.6, max(0.42, drawn.z)))
 
 
-def _sofa(site: Site, wall: Wall, middle: float) -> tuple[SceneObject, float]:
+def _sofa(site: Site, wall: Wall, middle: float) -> SceneObject:
     """Stand the first sofa so that it faces the screen: at the wall or out in the room."""
     drawn = site.extent("Sofa")
     extent = Vector(min(2.8, max(1.7, drawn.x)), 0.92, 0.95)
@@ -109,7 +115,7 @@ def _sofa(site: Site, wall: Wall, middle: float) -> tuple[SceneObject, float]:
     box = wall.box(along, extent, gap=gap)
     if not site.clear(footprint(box)):
         raise Cramped("sofa")
-    return site.stand("Sofa", box, wall.yaw), along
+    return site.stand("Sofa", box, wall.yaw)
 
 
 def _before(thing: SceneObject, extent: Vector, gap: float, off: float = 0.0) -> Box:

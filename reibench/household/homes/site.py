@@ -1,6 +1,6 @@
 """A home being furnished: a draft that knows what it is to hold and how large things are."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from typing import TypeVar
 
@@ -13,11 +13,8 @@ from reibench.scene import Box, SceneObject, Vector
 
 Item = TypeVar("Item")
 
-DOOR = Vector(0.9, 2.05, 0.9)
-"""Width and height of the doorway, and how much floor before it stays free."""
 NEAR = 0.95
 """Metres from where the robot can stand within which small things lie."""
-SWITCH = Vector(0.12, 0.15, 0.03)
 
 
 @dataclass(kw_only=True)
@@ -77,7 +74,7 @@ class Site(Draft):
         if not super().free_wall(wall, along, extent, low):
             return False
         box = wall.box(along, extent, low=low)
-        return not any(_meet(box, doorway) for doorway in self.doorways)
+        return not any(overlap(box, doorway) for doorway in self.doorways)
 
     def against_wall(
         self,
@@ -111,58 +108,6 @@ class Site(Draft):
             return None
         return self.stand(kind, box, yaw)
 
-    def hang(
-        self,
-        kind: str,
-        extent: Vector,
-        low: float,
-        *,
-        space: Vector | None = None,
-        walls: Sequence[Wall] | None = None,
-        near: float | None = None,
-    ) -> tuple[Wall, float] | None:
-        """Hang something on a free piece of wall; None where there is none.
-
-        Args:
-            kind: its type.
-            extent: its width, height and thickness.
-            low: height of its lower side.
-            space: how much has to be free, from its upper side down, if more than itself.
-            walls: those that come into question; None for all.
-            near: the place along the wall it should be close to; None for the middle.
-        """
-        needed = space or extent
-        places = []
-        for wall in walls if walls is not None else self.walls:
-            room = (wall.length - needed.x) / 2 - 0.06
-            for step in range(int(2 * room / 0.1) + 1 if room > 0 else 0):
-                along = -room + step * 0.1
-                rank = abs(along - (near or 0.0)) / (1.0 if near is None else 0.2)
-                places.append((rank + self.random.random(), wall, along))
-        for _, wall, along in sorted(places, key=lambda place: place[0]):
-            if self.free_wall(wall, along, needed, low + extent.y - needed.y):
-                self.add(kind, wall.box(along, extent, low=low), wall.yaw)
-                return wall, along
-        return None
-
-    def door(self, walls: Sequence[Wall] | None = None) -> None:
-        """Leave a doorway free, near a corner, with the light switch beside it."""
-        choices = self.shuffled(walls if walls is not None else self.walls)
-        found = self.along_wall(DOOR, walls=choices, passage=0, gap=0, corner=True)
-        if found is None:
-            raise Cramped("no doorway")
-        wall, along = found
-        self.reserve(footprint(wall.box(along, DOOR)))
-        self.doorways.append(wall.box(along, DOOR._replace(z=0.3)))
-        side = -1 if along > 0 else 1
-        for beside in (side * 0.6, -side * 0.6, side * 0.75, side * 0.9, side * 1.2):
-            if self.free_wall(wall, along + beside, SWITCH, 1.25):
-                self.add("LightSwitch", wall.box(along + beside, SWITCH, low=1.25), wall.yaw)
-                # Somebody has to get at the switch.
-                self.reserve(footprint(wall.box(along + beside, Vector(0.2, 1, 0.5))))
-                return
-        raise Cramped("no light switch")
-
     def roomy(self, seat: Box, table: Box) -> bool:
         """Whether a seat has room where it stands, but for the table it is pushed under."""
         area, under = footprint(seat), footprint(table)
@@ -179,9 +124,11 @@ class Site(Draft):
 
     def place_in(self, name: str, receptacle: str) -> None:
         """List a thing among what a receptacle holds, where it is already."""
+        order = list(self.things)
         thing, holder = self.things[name], self.things[receptacle]
         self.things[name] = replace(thing, parents=(*thing.parents, receptacle))
-        self.things[receptacle] = replace(holder, contents=(*(holder.contents or ()), name))
+        held = sorted((*(holder.contents or ()), name), key=order.index)
+        self.things[receptacle] = replace(holder, contents=tuple(held))
 
     def walk(self) -> None:
         """Find out where the robot can walk, with the furniture there is by now."""
@@ -209,7 +156,8 @@ def facing(extent: Vector, yaw: float) -> Vector:
     return extent if yaw in (0, 180) else turned(extent)
 
 
-def _meet(one: Box, other: Box) -> bool:
+def overlap(one: Box, other: Box) -> bool:
+    """Whether two boxes have room in common."""
     return all(
         abs(one.center[axis] - other.center[axis]) * 2 < one.size[axis] + other.size[axis]
         for axis in range(3)

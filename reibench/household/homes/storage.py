@@ -100,7 +100,7 @@ def _unit(site: Site, levels: int) -> int:
     found = site.against_wall("ShelvingUnit", extent, corner=site.random.random() < 0.6)
     if found is None:
         return 0
-    unit, wall, along = found
+    _, wall, along = found
     _levels(site, wall, along, extent, levels)
     return levels
 
@@ -108,7 +108,7 @@ def _unit(site: Site, levels: int) -> int:
 def _levels(site: Site, wall: Wall, along: float, body: Vector, levels: int) -> None:
     for level in range(levels):
         height = body.y / levels
-        extent = Vector(body.x - 0.06, min(0.4, height - 0.04), body.z - 0.02)
+        extent = Vector(body.x - 0.06, min(0.26, height - 0.04), body.z - 0.02)
         box = wall.box(along, extent, low=level * height + 0.03, gap=0.04)
         site.add("Shelf", box, wall.yaw)
 
@@ -120,7 +120,7 @@ def _bookcase(site: Site, wanted: int) -> int:
     for wide in range(columns, 0, -1):
         one = site.extent("Shelf").x
         one = min(0.9, max(0.45, one))
-        extent = Vector(wide * one, levels * site.between(0.34, 0.4), 0.34)
+        extent = Vector(wide * one, levels * site.between(0.36, 0.44), 0.34)
         found = site.along_wall(extent, gap=0.02, corner=site.random.random() < 0.5)
         if found is None:
             continue
@@ -137,16 +137,16 @@ def _boards(site: Site, wanted: int) -> int:
     """Hang boards over each other."""
     levels = min(3, wanted)
     extent = site.extent("Shelf")
-    extent = Vector(min(1.2, extent.x), 0.24, min(0.28, extent.z))
+    extent = Vector(min(1.2, extent.x), 0.22, min(0.28, extent.z))
     low = site.between(1.0, 1.3)
-    space = Vector(extent.x, levels * 0.36, extent.z)
+    space = Vector(extent.x, levels * 0.4, extent.z)
     for wall in site.shuffled(site.walls):
         room = (wall.length - extent.x) / 2 - 0.1
         for step in site.shuffled(range(int(2 * room / 0.1) + 1 if room > 0 else 0)):
             along = -room + step * 0.1
             if site.free_wall(wall, along, space, low):
                 for level in range(levels):
-                    box = wall.box(along, extent, low=low + level * 0.36, gap=0.01)
+                    box = wall.box(along, extent, low=low + level * 0.4, gap=0.01)
                     site.add("Shelf", box, wall.yaw)
                 return levels
     return 0
@@ -180,8 +180,13 @@ def seat(site: Site, kind: str, table: Box, wanted: int, tucked: float = 0.2) ->
     side = min(0.58, extent.x)
     (x, _, z), (width, _, depth) = table
     places: list[tuple[float, float, float, float]] = []
-    for yaw, length, out in ((180, width, depth), (0, width, depth), (270, depth, width),
-                             (90, depth, width)):  # fmt: skip
+    sides = (
+        (180.0, width, depth),
+        (0.0, width, depth),
+        (270.0, depth, width),
+        (90.0, depth, width),
+    )
+    for yaw, length, out in sides:
         count = max(1, int(length / 0.6))
         sign = 1 if yaw in (180, 270) else -1
         away = sign * (out / 2 + side / 2 - tucked)

@@ -1,15 +1,17 @@
 """Small things: put where real rooms have them, and in the states they are in there."""
 
+from collections.abc import Mapping
+
 from reibench.household.geometry import Footprint, bottom, footprint, forward, top
 from reibench.household.habits import real_rooms
-from reibench.household.homes.site import Site, facing
+from reibench.household.homes.site import Site, facing, overlap
 from reibench.household.layout import Wall
 from reibench.household.objects import object_type, object_types
 from reibench.household.placement import Rank, free_spot, nearest_to
 from reibench.scene import Box, SceneObject, Vector
 
 TRIES = 8
-_PAN, _PLATE, _CUP = Vector(0.42, 0.2, 0.3), Vector(0.27, 0.1, 0.27), Vector(0.16, 0.15, 0.16)
+_PAN, _PLATE, _CUP = Vector(0.42, 0.2, 0.3), Vector(0.27, 0.1, 0.27), Vector(0.13, 0.15, 0.13)
 SPARE = {
     **dict.fromkeys(("CounterTop", "DiningTable", "Desk", "Dresser", "Bed", "Sofa"), _PAN),
     **dict.fromkeys(("CoffeeTable", "TVStand", "SinkBasin", "ArmChair", "Toilet"), _PLATE),
@@ -18,6 +20,11 @@ SPARE = {
 """What is kept free on receptacles, so that things can be put down there."""
 ON_RIM = frozenset(("Candle", "SoapBar", "SoapBottle", "ToiletPaper", "TissueBox", "DishSponge"))
 """What stands on the rim of a tub rather than lies in it."""
+SOLID = frozenset(
+    "CoffeeMachine DeskLamp Desktop Faucet Fridge HousePlant Microwave Shelf Television"
+    " Toaster".split()
+)
+"""What else stands on or over receptacles and takes up room there."""
 STANDING = frozenset(("HousePlant",))
 """What stands on the floor where it stands on nothing AI2-THOR names; other things hang."""
 UPRIGHT = {"BaseballBat": Vector(0.12, 0.85, 0.12), "TennisRacket": Vector(0.28, 0.62, 0.12)}
@@ -26,7 +33,8 @@ STANDING_PARTS = frozenset(
     "Cabinet Drawer Shelf Curtains ShowerCurtain ShowerDoor ShowerGlass".split()
 )
 """Parts AI2-THOR counts among what is on the floor, in some rooms, if they reach down to it."""
-ON_THE_COUNTER = frozenset(("Faucet", "Sink"))
+OVERLAPS = (("ShowerCurtain", "Bathtub"), ("Faucet", "CounterTop"), ("Sink", "CounterTop"))
+"""Types of which AI2-THOR says in some rooms that one is in or on the other, as it reaches in."""
 
 
 def add_things(site: Site) -> None:
@@ -59,43 +67,41 @@ def put_on(site: Site, kind: str, extent: Vector, *, back: bool = False) -> bool
 
 def settle(site: Site) -> None:
     """Give everything the states real ones are in, and list what reaches down to the floor."""
-    types = real_rooms()[site.kind].types
-    kinds: dict[str, SceneObject] = {}
+    _set_states(site)
+    for kind in sorted(STANDING_PARTS):
+        ours = sorted(_of_type(site, kind), key=lambda thing: bottom(thing.box))
+        for thing in ours[: round(site.chance(kind, "Floor") * len(ours))]:
+            if bottom(thing.box) < 0.45:
+                site.place_in(thing.id, site.floor)
+    for kind, over in OVERLAPS:
+        for thing in _of_type(site, kind):
+            area = footprint(thing.box)
+            below = [one for one in _of_type(site, over) if footprint(one.box).meets(area)]
+            if below and site.random.random() < site.chance(kind, over):
+                site.place_in(thing.id, below[0].id)
+
+
+def _set_states(site: Site) -> None:
+    types, levels = real_rooms()[site.kind].types, site.inventory.levels
+    seen: set[str] = set()
     for thing in list(site.things.values()):
         shares = types[thing.type].states if thing.type in types else {}
-        first = kinds.get(thing.type) is None
-        kinds[thing.type] = thing
-        levels = site.inventory.levels
+        # The first of each type is what the rooms differ in by plan, the others by chance.
+        first = thing.type not in seen
+        seen.add(thing.type)
         states = {
             state: (levels[f"{thing.type} {state}"] if first else site.random.random()) >= 1 - share
             for state, share in shares.items()
         }
+        site.change(thing.id, **states)
         if states.get("filled"):
             site.change(thing.id, liquid="wine")
-        cold = any(parent.startswith("Fridge") for parent in thing.parents)
-        site.change(thing.id, **states, **({"temperature": "Cold"} if cold else {}))
-    for kind in sorted(STANDING_PARTS):
-        ours = [thing for thing in site.things.values() if thing.type == kind]
-        ours.sort(key=lambda thing: bottom(thing.box))
-        for thing in ours[: round(site.chance(kind, "Floor") * len(ours))]:
-            if bottom(thing.box) < 0.45:
-                site.place_in(thing.id, site.floor)
-    for tub in [thing for thing in site.things.values() if thing.type == "Bathtub"]:
-        for curtain in [each for each in site.things.values() if each.type == "ShowerCurtain"]:
-            if site.random.random() < site.chance("ShowerCurtain", "Bathtub"):
-                site.place_in(curtain.id, tub.id)
-    for thing in list(site.things.values()):
-        if thing.type in ON_THE_COUNTER and site.random.random() < site.chance(
-            thing.type, "CounterTop"
-        ):
-            for counter in _counters_under(site, thing):
-                site.place_in(thing.id, counter.id)
+        if any(parent.startswith("Fridge") for parent in thing.parents):
+            site.change(thing.id, temperature="Cold")
 
 
-def _counters_under(site: Site, thing: SceneObject) -> list[SceneObject]:
-    area = footprint(thing.box)
-    counters = [each for each in site.things.values() if each.type == "CounterTop"]
-    return [each for each in counters if footprint(each.box).covers(area.x, area.z)][:1]
+def _of_type(site: Site, kind: str) -> list[SceneObject]:
+    return [thing for thing in site.things.values() if thing.type == kind]
 
 
 def _natural(site: Site, name: str) -> Vector:
@@ -117,23 +123,33 @@ def _draw_receptacle(site: Site, kind: str, full: set[str]) -> SceneObject | Non
     for thing in site.things.values():
         if thing.receptacle and thing.id not in full:
             present.setdefault(thing.type, []).append(thing)
-    names = [name for name in present if found.get(name)]
-    weights = [found[name] / _share(site, name) for name in names]
-    if not names:
-        names = [name for name in present if object_type(kind).may_go(name) and name != "Floor"]
-        names = [name for name in names if name in _LIKELY] or names
-        weights = [1.0] * len(names)
-    if not names:
+    kind_of_place = _draw_place(site, kind, found, sorted(present))
+    if not kind_of_place:
         return None
-    of_type = present[site.random.choices(names, weights)[0]]
+    of_type = present[kind_of_place]
     sizes = [max(0.2, thing.box.size.x * thing.box.size.z) for thing in of_type]
     return site.random.choices(of_type, sizes)[0]
 
 
-def _share(site: Site, receptacle: str) -> float:
-    """Return how many of the real rooms have a type: where it is rare, more lies on each."""
-    each = real_rooms()[site.kind].types.get(receptacle)
-    return each.share if each else 1.0
+def _draw_place(site: Site, kind: str, found: Mapping[str, int], present: list[str]) -> str:
+    """Draw a type of receptacle out of those a room has.
+
+    Real rooms with a desk have nearly everything on it: what counts is how often a thing lies on
+    a type where there is one. The rarer types come first, the commonest takes what is left.
+    """
+    types = real_rooms()[site.kind].types
+    total = sum(found.values())
+    shares = {name: types[name].share for name in present if found.get(name) and name in types}
+    drawn, passed = site.random.random(), 0.0
+    for name in sorted(shares, key=lambda name: (shares[name], name)):
+        passed += found[name] / total / shares[name]
+        if drawn < passed:
+            return name
+    if shares:
+        return max(shares, key=lambda name: (found[name], name))
+    fitting = [name for name in present if object_type(kind).may_go(name) and name != "Floor"]
+    fitting = [name for name in fitting if name in _LIKELY] or fitting
+    return site.random.choice(fitting) if fitting else ""
 
 
 _LIKELY = frozenset(
@@ -155,12 +171,26 @@ def _put_in(site: Site, kind: str, extent: Vector, receptacle: SceneObject, back
     spot = free_spot(site.things, probe, site.things[receptacle.id], rank)
     if spot is None or not site.within_reach(footprint(Box(*spot))):
         return False
+    if _in_the_way(site, Box(*spot), receptacle):
+        return False
     yaw = receptacle.yaw if back else 0.0
     added = site.add(kind, Box(*spot), yaw, parent=receptacle.id)
-    if _has_room(site, receptacle):
+    worked_on = receptacle.type in ("CounterTop", "DiningTable")
+    if (back and not worked_on) or _has_room(site, receptacle):
         return True
     site.remove(added.id)
     return False
+
+
+def _in_the_way(site: Site, box: Box, receptacle: SceneObject) -> bool:
+    """Whether something that stands on another receptacle takes up part of a place."""
+    inside = (receptacle.id, *receptacle.parents)
+    return any(
+        (other.pickupable or other.type in SOLID)
+        and other.id not in inside
+        and overlap(box, other.box)
+        for other in site.things.values()
+    )
 
 
 def _has_room(site: Site, receptacle: SceneObject) -> bool:
@@ -176,9 +206,7 @@ def _has_room(site: Site, receptacle: SceneObject) -> bool:
 
 def _farthest_back(receptacle: SceneObject, near: tuple[float, float]) -> Rank:
     ahead_x, ahead_z = forward(receptacle.yaw)
-    return lambda x, z: (
-        10 * (x * ahead_x + z * ahead_z) + abs(x - near[0]) + abs(z - near[1])
-    )
+    return lambda x, z: 10 * (x * ahead_x + z * ahead_z) + abs(x - near[0]) + abs(z - near[1])
 
 
 def _put_on_rim(site: Site, kind: str, extent: Vector, tub: SceneObject) -> bool:
@@ -212,4 +240,3 @@ def _lay_on_floor(site: Site, kind: str, extent: Vector) -> bool:
             site.stand(kind, box, wall.yaw)
             return True
     return False
-
