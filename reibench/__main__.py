@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from reibench.commands import (
     benching,
     checking,
+    comparing,
     importing,
     listing,
     replaying,
@@ -25,6 +26,7 @@ COMMANDS = {
     "score": (scoring, "success and error kinds of every run, with intervals"),
     "replay": (replaying, "play records again, and verify that they come out the same"),
     "import": (importing, "bring in rooms and trials from elsewhere"),
+    "compare-rooms": (comparing, "the shipped rooms beside AI2-THOR's real ones, in numbers"),
     "check-dataset": (checking, "are the episodes sound, and can they be solved?"),
     "bench": (benching, "measure speed and memory"),
 }
