@@ -4,6 +4,8 @@ import os
 import sys
 from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter
 
+from reibench.errors import ReibenchError
+from reibench.household.rooms import load_room
 from reibench.household.unity.build import Build
 from reibench.household.unity.channel import Channel, end_with_parent
 from reibench.household.unity.faults import NO_FAULT, Fault
@@ -38,6 +40,9 @@ def parse(arguments: list[str] | None = None) -> Namespace:
         allow_abbrev=False,
     )
     parser.add_argument("--fault", type=Fault.parse, default=NO_FAULT, help="break on purpose")
+    parser.add_argument(
+        "--room", dest="rooms", metavar="FILE", action="append", default=[], help="a further room"
+    )
     parser.add_argument("-screen-width", dest="width", type=int, default=300, help="pixels")
     parser.add_argument("-screen-height", dest="height", type=int, default=300, help="pixels")
     return parser.parse_known_args(arguments)[0]
@@ -77,7 +82,13 @@ def main(arguments: list[str] | None = None) -> int:
     end_with_parent()
     options.fault.strike_at_start()
     try:
-        serve(Build((options.width, options.height)), connect(), options.fault)
+        rooms = [load_room(path) for path in options.rooms]
+    except ReibenchError as error:
+        sys.stderr.write(f"{error}\n")
+        return 2
+    build = Build((options.width, options.height), rooms)
+    try:
+        serve(build, connect(), options.fault)
     except ConnectionError:
         return 0  # The client went away while it was being answered.
     return 0

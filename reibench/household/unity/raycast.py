@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from math import cos, radians, sin, tan
 from typing import Any, NamedTuple
 
@@ -79,8 +80,8 @@ def cast(view: View, room: Block, blocks: Sequence[Block]) -> NDArray[np.uint8]:
 
     Of the room only the surfaces that face inwards are seen, so one can look in from outside.
     """
-    rays = _rays(view)
-    depth, surface = _room(view, rays, room)
+    rays, depth, surface = _empty_room(view, room)
+    depth, surface = depth.copy(), surface.copy()
     if blocks:
         for number, rows, columns in _windows(view, rays, blocks):
             _draw(
@@ -99,6 +100,13 @@ def cast(view: View, room: Block, blocks: Sequence[Block]) -> NDArray[np.uint8]:
     table = _colors(view, room, blocks)
     surface[1:, 1:] += edges * np.int16(len(table) // 2)
     return table.take(surface).view(np.uint8).reshape(*surface.shape, 4)[:, :, :3]
+
+
+@lru_cache(maxsize=8)
+def _empty_room(view: View, room: Block) -> tuple[Rays, Floats, Surfaces]:
+    """Return the rays and the empty room, kept because cameras that hang still see it again."""
+    rays = _rays(view)
+    return rays, *_room(view, rays, room)
 
 
 def _rays(view: View) -> Rays:

@@ -92,6 +92,15 @@ def test_a_numbered_room_is_announced_and_reset_as_in_ai2thor(
     assert client.reset("FloorPlan3").metadata["lastActionSuccess"]
 
 
+def test_a_room_from_a_file_is_there_on_top_of_the_shipped_ones(connect, server, tmp_path):
+    save_room(replace(Controller().room, name="attic"), tmp_path / "my attic.json")
+    client = connect(server, "attic", f"--room '{tmp_path / 'my attic.json'}'")
+    assert client.scenes_in_build == {*room_names(), "attic"}
+    assert client.last_event.metadata["sceneName"] == "attic"
+    assert client.reset("bedroom-1").metadata["sceneName"] == "bedroom-1"
+    assert client.reset("attic").metadata["sceneName"] == "attic"
+
+
 def test_constructor_options_reach_the_simulator(connect, server):
     options = {"gridSize": 0.5, "visibilityDistance": 4.0, "fieldOfView": 60}
     client = connect(server, "bedroom-1", **options)
