@@ -45,8 +45,7 @@ class Client(Controller):  # type: ignore[misc]
 
     def __init__(self, variant: str, settings: UnitySettings) -> None:
         """Prepare for a resolved variant; `super().__init__`, which starts it, is for `open`."""
-        self._variant = variant
-        self._settings = settings
+        self._started_with = source_of(variant, settings) | options_of(variant, settings)
         self._wire: Any = None
         self._begun = self._over = False
         # It says so, but `start` does not let it.
@@ -56,11 +55,11 @@ class Client(Controller):  # type: ignore[misc]
 
     def open(self, room: str) -> None:
         """Start Unity and load a room; raises UnknownName for one that Unity lacks."""
-        super().__init__(**self._source(), scene=room, **self._options())
+        super().__init__(**self._started_with, scene=room)
 
     def download(self) -> None:
         """Fetch the published build, if it is not here yet."""
-        super().__init__(**self._source(), download_only=True, **self._options())
+        super().__init__(**self._started_with, download_only=True)
 
     def reset(self, scene: str | None = None, **parameters: object) -> Any:
         """Load a room; raises UnknownName."""
@@ -180,27 +179,30 @@ class Client(Controller):  # type: ignore[misc]
         isolated = [sys.executable, "-I", "-S"]
         return [*isolated, str(LAUNCHER), str(os.getpid()), str(LIBRARY), *command]
 
-    def _source(self) -> dict[str, object]:
-        if is_build_id(self._variant):
-            return {"commit_id": self._variant, "platform": platform_for(self._settings)}
-        return {"local_executable_path": command_of(self._variant, self._settings)}
 
-    def _options(self) -> dict[str, object]:
-        settings = self._settings
-        display = settings.display or os.environ.get("DISPLAY", "")
-        if not display and not is_build_id(self._variant):
-            display = ":0"  # The client fails without any, needed or not.
-        return {
-            "server_class": SERVERS[settings.server],
-            "width": settings.width,
-            "height": settings.height,
-            "x_display": display or None,
-            # Without a limit of its own the client sees at once that a pipe has ended.
-            "server_timeout": None,
-            "server_start_timeout": NEVER,
-            "gridSize": 0.25,
-            "visibilityDistance": 1.5,
-        }
+def source_of(variant: str, settings: UnitySettings) -> dict[str, object]:
+    """Return the client's arguments that say which Unity."""
+    if is_build_id(variant):
+        return {"commit_id": variant, "platform": platform_for(settings)}
+    return {"local_executable_path": command_of(variant, settings)}
+
+
+def options_of(variant: str, settings: UnitySettings) -> dict[str, object]:
+    """Return the client's arguments that say how it is started."""
+    display = settings.display or os.environ.get("DISPLAY", "")
+    if not display and not is_build_id(variant):
+        display = ":0"  # The client fails without any, needed or not.
+    return {
+        "server_class": SERVERS[settings.server],
+        "width": settings.width,
+        "height": settings.height,
+        "x_display": display or None,
+        # Without a limit of its own the client sees at once that a pipe has ended.
+        "server_timeout": None,
+        "server_start_timeout": NEVER,
+        "gridSize": 0.25,
+        "visibilityDistance": 1.5,
+    }
 
 
 def _png(image: Any) -> bytes:

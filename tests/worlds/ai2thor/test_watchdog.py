@@ -214,6 +214,28 @@ def test_a_program_that_forgets_to_close_ends_cleanly(server, mark, running, tmp
     assert list(tmp_path.iterdir()) == []
 
 
+LAUNCHING = """
+import os, subprocess, sys, time
+subprocess.Popen([sys.executable, sys.argv[1], str(os.getpid()), "", *sys.argv[2:]])
+time.sleep(60)
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux ends children with their parent")
+def test_any_unity_ends_with_its_parent_even_one_that_does_not_look(mark, running):
+    from reibench.worlds.ai2thor import launcher
+
+    careless = [sys.executable, "-c", "import time; time.sleep(60)", mark]
+    program = subprocess.Popen([sys.executable, "-c", LAUNCHING, launcher.__file__, *careless])
+    limit = time.monotonic() + 10
+    while len(running()) < 2 and time.monotonic() < limit:  # the parent has the mark too
+        time.sleep(0.02)
+    time.sleep(0.3)
+    program.kill()
+    program.wait()
+    assert gone(running)
+
+
 def gone(running, within: float = 3.0) -> bool:
     """Whether no process is left, which may take the kernel a moment."""
     limit = time.monotonic() + within
