@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from reibench.household import Controller, Room, load_room
 from reibench.scene import Scene, Vector
-from reibench.worlds import World, worlds
+from reibench.worlds import Announce, World, silently, worlds
 from reibench.worlds.rules import STRICT, Rules
 from reibench.worlds.simulator import Outcome
 from reibench.worlds.thor import ThorWorld
@@ -57,6 +57,12 @@ class EmbeddedSimulator:
 
 
 @worlds.register("embedded")
-def embedded_world(rules: Rules = STRICT) -> World:
-    """Make a household world in this process."""
+def embedded_world(
+    rules: Rules = STRICT,
+    *,
+    variant: str = "",
+    frames: bool = False,
+    announce: Announce = silently,
+) -> World:
+    """Make a household world in this process; it renders nothing."""
     return ThorWorld(EmbeddedSimulator(), rules)
