@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from reibench.commands import (
     benching,
     checking,
+    dumping,
     importing,
     listing,
     replaying,
@@ -25,6 +26,7 @@ COMMANDS = {
     "score": (scoring, "success and error kinds of every run, with intervals"),
     "replay": (replaying, "play records again, and verify that they come out the same"),
     "import": (importing, "bring in rooms and trials from elsewhere"),
+    "dump": (dumping, "write object metadata of a simulator's rooms, for `import ithor`"),
     "check-dataset": (checking, "are the episodes sound, and can they be solved?"),
     "bench": (benching, "measure speed and memory"),
 }
