@@ -1,6 +1,7 @@
 """The embedded world: the skill layer over `reibench.household`, no download, display or GPU."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 from reibench.household import Controller, Room, load_room
 from reibench.scene import Scene, Vector
@@ -42,6 +43,10 @@ class EmbeddedSimulator:
     def scene(self) -> Scene:
         """Report the room as it is now."""
         return self.controller.snapshot()
+
+    def metadata(self) -> Mapping[str, Any]:
+        """Report the room as AI2-THOR's metadata."""
+        return self.controller.last_event.metadata
 
     def sees(self, object_id: str) -> bool:
         """Whether the object is visible now."""

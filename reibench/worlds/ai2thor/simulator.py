@@ -1,6 +1,6 @@
 """AI2-THOR behind its own client, as the skill layer wants it."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from reibench.errors import InvalidRoom, WorldBroken
@@ -62,6 +62,10 @@ class UnitySimulator:
         if self._scene is None:
             self._scene = scene_from_metadata(self._metadata)
         return self._scene
+
+    def metadata(self) -> Mapping[str, Any]:
+        """Report the room as AI2-THOR's metadata."""
+        return self._metadata
 
     def sees(self, object_id: str) -> bool:
         """Whether the object is visible now."""
