@@ -214,6 +214,8 @@ class State:
         """Add a new object, in or on what its `parents` say."""
         self.objects = self.objects | {thing.id: thing}
         self.footprints = self.footprints | {thing.id: footprint(thing.box)}
+        if thing.type in SOURCES:
+            self.sources = [*self.sources, thing.id]
         for parent in thing.parents:
             contents = self.objects[parent].contents or ()
             self.change(parent, contents=(*contents, thing.id))
@@ -227,6 +229,7 @@ class State:
         self.footprints = {each: area for each, area in areas if each != name}
         self.openness = {each: much for each, much in self.openness.items() if each != name}
         self.warmth.pop(name, None)
+        self.sources = [each for each in self.sources if each != name]
         self._moment = None
 
     def _leave(self, name: str) -> None:

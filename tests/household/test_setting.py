@@ -123,3 +123,11 @@ def test_initialize_changes_the_grid(robot):
     many = len(robot.controller.reachable())
     robot("Initialize", gridSize=0.5)
     assert len(robot.controller.reachable()) < many / 2
+
+
+def test_what_poses_take_away_acts_no_more(robot):
+    apple = robot.find("Apple")
+    pose = {"objectName": apple.name, "position": apple.position._asdict()}
+    assert robot("SetObjectPoses", objectPoses=[pose]).success
+    assert not robot.controller.snapshot().of_type("Microwave")
+    assert robot("Pass").success
