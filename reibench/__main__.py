@@ -15,6 +15,7 @@ from reibench.commands import (
     running,
     scoring,
     shelving,
+    viewing,
 )
 from reibench.commands.output import tell
 from reibench.errors import ReibenchError
@@ -27,6 +28,7 @@ COMMANDS = {
     "replay": (replaying, "play records again, and verify that they come out the same"),
     "import": (importing, "bring in rooms and trials from elsewhere"),
     "dump": (dumping, "write object metadata of a simulator's rooms, for `import ithor`"),
+    "view": (viewing, "write pages to look at: all rooms on a contact sheet"),
     "check-dataset": (checking, "are the episodes sound, and can they be solved?"),
     "bench": (benching, "measure speed and memory"),
 }

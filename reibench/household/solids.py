@@ -10,17 +10,17 @@ from functools import partial
 from math import hypot
 from typing import NamedTuple
 
-from reibench.household.floor import HEADROOM, LOWEST, Solid
+from reibench.household.floor import CLEARANCE, HEADROOM, LOWEST, Solid
 from reibench.household.geometry import Footprint, bottom, footprint, top
 from reibench.household.particulars import Particulars
 from reibench.scene import Box, SceneObject
 
-CLEARANCE = 0.12
-"""Metres from a box at which AI2-THOR's robot stands: colliders are smaller than boxes."""
 DEPTH = 0.65
 """Metres of counter before a wall."""
 DEEP = 0.85
 """Metres; a counter wider than this both ways goes around a corner."""
+BAR = 1.25
+"""Metres; below this a counter is one, above a shelf on the wall."""
 AT_WALL = 0.25
 """Metres from the wall within which a counter stands against it."""
 SPREAD = 0.3
@@ -127,7 +127,8 @@ def _base(thing: SceneObject, own: Particulars | None) -> Rectangle:
 def _stands_in_the_way(thing: SceneObject) -> bool:
     if thing.pickupable or thing.type in FLAT_ON_WALLS or thing.type in PASSABLE:
         return False
-    return bottom(thing.box) < HEADROOM and top(thing.box) > LOWEST
+    headroom = BAR if thing.type in COUNTERS else HEADROOM
+    return bottom(thing.box) < headroom and top(thing.box) > LOWEST
 
 
 def _whole(area: Footprint) -> Rectangle:
