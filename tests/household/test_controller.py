@@ -13,7 +13,7 @@ def test_a_controller_takes_the_name_of_a_room_or_a_room():
 
 
 def test_an_unknown_room_is_refused():
-    with pytest.raises(UnknownName, match="kitchen-9"):
+    with pytest.raises(UnknownName, match="Did you mean 'kitchen-9'"):
         Controller("kitchen-99")
 
 

@@ -8,10 +8,10 @@ from reibench.household.plans import PLANS
 from reibench.household.rooms import format_room, parse_room, save_room
 
 
-def test_there_are_two_rooms_of_each_kind():
+def test_there_are_thirty_rooms_of_each_kind():
     kinds = [load_room(name).kind for name in room_names()]
     assert sorted(set(kinds)) == ["bathroom", "bedroom", "kitchen", "living room"]
-    assert all(kinds.count(kind) == 2 for kind in kinds)
+    assert all(kinds.count(kind) == 30 for kind in kinds)
 
 
 def test_a_room_is_the_same_after_saving_and_loading(tmp_path):

@@ -89,13 +89,15 @@ def test_the_expert_solves_tasks_of_every_type_in_all_rooms_made_like_real_ones(
             goals.setdefault(named, []).append(goal)
         assert set(goals) >= KINDS_OF_TASK[kind] - {"stack"}, room
         for named in sorted(goals):
-            chosen = Random(room).sample(goals[named], min(4, len(goals[named])))
+            chosen = Random(room).sample(goals[named], min(5, len(goals[named])))
             rollouts = [solve(room, goal, world) for goal in chosen]
             all_[named] += len(chosen)
-            solved[named] += sum(rollout.status == "success" for rollout in rollouts)
+            successes = sum(rollout.status == "success" for rollout in rollouts)
+            solved[named] += successes
+            assert successes, f"no {named} task was solved in {room}"
     assert set(all_) >= KINDS_OF_TASK[kind]
-    # Boxes find no room on small tables, in real rooms neither.
-    least = {"stack": 0.8, "pick": 0.93}
+    # A box finds no room on a desk or table with much on it.
+    least = {"stack": 0.7, "pick": 0.93}
     for named, count in all_.items():
         assert solved[named] >= least.get(named, 0.98) * count, (named, solved[named], count)
 

@@ -92,7 +92,7 @@ def _tub(site: Site, way: Bathing) -> None:
     if way.curtain:
         # Drawn aside, at the far end of the tub's front.
         cloth = Vector(0.42, 1.92, 0.12)
-        box = wall.box(along - end * 0.75, cloth, low=0.15, gap=extent.z + 0.03)
+        box = wall.box(along - end * 0.75, cloth, low=0.15, gap=extent.z - 0.1)
         site.add("ShowerCurtain", box, wall.yaw)
 
 

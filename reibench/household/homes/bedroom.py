@@ -62,8 +62,10 @@ def _adorn(site: Site) -> None:
         ("DeskLamp", Vector(0.26, 0.42, 0.26)),
         ("HousePlant", Vector(0.32, 0.6, 0.3)),
     ):
-        for _ in range(site.count(kind)):
-            put_on(site, kind, extent, back=True)
+        placed = [put_on(site, kind, extent, back=True) for _ in range(site.count(kind))]
+        if kind == "DeskLamp" and not any(placed):
+            # Things are to be looked at in its light.
+            raise Cramped(kind)
 
 
 def _beds(site: Site, chests: list[Chest]) -> None:

@@ -8,21 +8,23 @@ from reibench.household.homes.site import Site, facing, overlap
 from reibench.household.layout import Wall
 from reibench.household.objects import object_type, object_types
 from reibench.household.placement import Rank, free_spot, nearest_to
-from reibench.scene import Box, SceneObject, Vector
+from reibench.scene import CONTAINERS, Box, SceneObject, Vector
 
 TRIES = 8
-_PAN, _PLATE, _CUP = Vector(0.42, 0.2, 0.3), Vector(0.27, 0.1, 0.27), Vector(0.13, 0.15, 0.13)
+_BOX, _PAN = Vector(0.5, 0.3, 0.46), Vector(0.42, 0.2, 0.3)
+_PLATE, _CUP = Vector(0.27, 0.1, 0.27), Vector(0.13, 0.15, 0.13)
 SPARE = {
-    **dict.fromkeys(("CounterTop", "DiningTable", "Desk", "Dresser", "Bed", "Sofa"), _PAN),
-    **dict.fromkeys(("CoffeeTable", "TVStand", "SinkBasin", "ArmChair", "Toilet"), _PLATE),
+    **dict.fromkeys(("CoffeeTable", "DiningTable", "Bed", "Sofa"), _BOX),
+    **dict.fromkeys(("CounterTop", "Desk", "Dresser"), _PAN),
+    **dict.fromkeys(("TVStand", "SinkBasin", "ArmChair", "Toilet"), _PLATE),
     **dict.fromkeys(("SideTable", "Shelf"), _CUP),
 }
 """What is kept free on receptacles, so that things can be put down there."""
 ON_RIM = frozenset(("Candle", "SoapBar", "SoapBottle", "ToiletPaper", "TissueBox", "DishSponge"))
 """What stands on the rim of a tub rather than lies in it."""
 SOLID = frozenset(
-    "CoffeeMachine DeskLamp Desktop Faucet Fridge HousePlant Microwave Shelf Television"
-    " Toaster".split()
+    "Cabinet CoffeeMachine DeskLamp Desktop Faucet Fridge HousePlant Microwave Mirror Painting"
+    " Poster Shelf Television Toaster".split()
 )
 """What else stands on or over receptacles and takes up room there."""
 STANDING = frozenset(("HousePlant",))
@@ -52,10 +54,18 @@ def add_things(site: Site) -> None:
 def put_on(site: Site, kind: str, extent: Vector, *, back: bool = False) -> bool:
     """Put something on what real ones stand on; `back` puts it as far back as it goes."""
     full: set[str] = set()
-    for _ in range(4 * TRIES):
+    closed = {thing.id for thing in site.things.values() if thing.type in CONTAINERS}
+    for number in range(4 * TRIES):
         receptacle = _draw_receptacle(site, kind, full)
         if receptacle is None:
-            return False
+            if not closed & full:
+                return False
+            full -= closed
+            closed = set()
+            continue
+        if not number and receptacle.id not in closed:
+            # What finds no room in the open is not put away for that, unless it has to be.
+            full |= closed
         if receptacle.type == "Floor":
             if _lay_on_floor(site, kind, extent):
                 return True
@@ -195,7 +205,9 @@ def _in_the_way(site: Site, box: Box, receptacle: SceneObject) -> bool:
 
 def _has_room(site: Site, receptacle: SceneObject) -> bool:
     """Whether one more thing still finds room there: a room is to be worked in."""
-    extent = SPARE.get(receptacle.type)
+    # A counter round a wash basin has room for little else.
+    narrow = site.kind == "bathroom" and receptacle.type == "CounterTop"
+    extent = _CUP if narrow else SPARE.get(receptacle.type)
     if extent is None:
         return True
     probe = SceneObject("", "Plate", "", extent, 0.0, Box(Vector(0, 0, 0), extent))
