@@ -102,8 +102,7 @@ class State:
         """Where the robot can walk, on the grid asked for."""
         if self.settings.grid == GRID:
             return self.room.floor
-        start = self.room.start.position
-        return WalkableFloor(self.room.bounds, self.room.objects, start, self.settings.grid)
+        return self.room.floor_of(self.settings.grid)
 
     def configure(self, settings: Settings) -> None:
         """Behave as `settings` say from now on."""
@@ -134,10 +133,13 @@ class State:
         return [thing for thing in self.objects.values() if thing.type == object_type]
 
     def inside(self, name: str) -> Iterator[SceneObject]:
-        """Go through all that is in or on an object, however deep."""
+        """Go through all that is in or on an object, however deep, and can be taken out.
+
+        Real rooms list what is built in too: a counter "in" the cup that stands on it.
+        """
         seen, left = {name}, list(self.objects[name].contents or ())
         for inner in left:
-            if inner not in seen and inner in self.objects:
+            if inner not in seen and self.objects[inner].pickupable:
                 seen.add(inner)
                 yield self.objects[inner]
                 left += self.objects[inner].contents or ()
@@ -166,9 +168,6 @@ class State:
         box, position = Box(middle, size or thing.box.size), Vector(x + dx, y + dy, z + dz)
         moved = {name: altered(thing, position=position, box=box, **fields)}
         for each in self.inside(name):
-            # In real rooms a mug in the sink can list the basin as its contents.
-            if not (each.pickupable or (each.moveable and not thing.pickupable)):
-                continue
             x, y, z = each.position
             box, position = shifted(each.box, dx, dy, dz), Vector(x + dx, y + dy, z + dz)
             moved[each.id] = altered(each, position=position, box=box)
@@ -180,6 +179,7 @@ class State:
     def take(self, name: str) -> None:
         """Put an object into the robot's hand, from wherever it is."""
         self._leave(name)
+        self._shed(name)
         self.held = name
         self.move(name, self._hand(), parents=(), held=True)
 
@@ -220,6 +220,16 @@ class State:
         for parent in self.objects[name].parents:
             contents = self.objects[parent].contents or ()
             self.change(parent, contents=tuple(one for one in contents if one != name))
+
+    def _shed(self, name: str) -> None:
+        """Strike what is built in from the contents of something that is taken away."""
+        contents = self.objects[name].contents or ()
+        built_in = [inner for inner in contents if not self.objects[inner].pickupable]
+        for inner in built_in:
+            parents = self.objects[inner].parents
+            self.change(inner, parents=tuple(one for one in parents if one != name))
+        if built_in:
+            self.change(name, contents=tuple(one for one in contents if one not in built_in))
 
     def _hand(self) -> Vector:
         (x, _, z), yaw = self._agent.position, self._agent.yaw
