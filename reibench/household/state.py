@@ -179,9 +179,6 @@ class State:
         box, position = Box(middle, size or thing.box.size), Vector(x + dx, y + dy, z + dz)
         moved = {name: altered(thing, position=position, box=box, **fields)}
         for each in self.inside(name):
-            # In real rooms a mug in the sink can list the basin as its contents.
-            if not (each.pickupable or (each.moveable and not thing.pickupable)):
-                continue
             x, y, z = each.position
             box, position = shifted(each.box, dx, dy, dz), Vector(x + dx, y + dy, z + dz)
             moved[each.id] = altered(each, position=position, box=box)
