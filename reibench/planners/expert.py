@@ -7,6 +7,7 @@ from collections.abc import Callable, Generator, Iterator
 from typing import ClassVar, TypeAlias
 
 from reibench.episode import Goal, TaskType
+from reibench.household.objects import SINGLE
 from reibench.methods import Instruction
 from reibench.planners import Decision, Plan, planners
 from reibench.scene import SceneObject
@@ -47,7 +48,11 @@ class Expert:
         goal = self._goal
         if goal.sliced:
             yield from self._cut(goal.object)
-        yield from self._fetch(goal.object)
+        if self._stands_there(goal.object, goal.destination):
+            yield from self._go_to(goal.destination)
+            yield from self._do(Verb.PICK_UP, goal.object)
+        else:
+            yield from self._fetch(goal.object)
         if self._event.scene.held is None:
             return  # what it wants is not to be had: nothing it could still do would help
         match goal.task_type:
@@ -66,6 +71,13 @@ class Expert:
                 yield from self._do(Verb.PICK_UP, goal.movable_receptacle)
         carried = goal.movable_receptacle or goal.object
         yield from self._put(carried, goal.destination)
+
+    def _stands_there(self, name: str, receptacle: str) -> bool:
+        """Whether every `receptacle` holds one thing only, and has a `name` already."""
+        scene = self._event.scene
+        places = scene.of_type(receptacle)
+        held = [scene.by_id[one].type for place in places for one in place.contents or ()]
+        return receptacle in SINGLE and held == [name] * len(places) != []
 
     def _do(self, verb: Verb, name: str) -> Moves:
         self._event = yield Skill(verb, name)
@@ -116,7 +128,7 @@ class Expert:
             yield from self._do(Verb.PICK_UP, name)
 
     def _spare(self, *but: str) -> str:
-        """Return the type of a place to leave things, other than `but`; nothing if there is none."""
+        """Return the type of a place to leave things, other than `but`; empty if none is."""
         scene = self._event.scene
         return next((p for p in SOMEWHERE if p not in but and scene.of_type(p)), "")
 
