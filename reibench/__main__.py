@@ -8,12 +8,14 @@ from collections.abc import Sequence
 from reibench.commands import (
     benching,
     checking,
+    dumping,
     importing,
     listing,
     replaying,
     running,
     scoring,
     shelving,
+    viewing,
 )
 from reibench.commands.output import tell
 from reibench.errors import ReibenchError
@@ -25,6 +27,8 @@ COMMANDS = {
     "score": (scoring, "success and error kinds of every run, with intervals"),
     "replay": (replaying, "play records again, and verify that they come out the same"),
     "import": (importing, "bring in rooms and trials from elsewhere"),
+    "dump": (dumping, "write object metadata of a simulator's rooms, for `import ithor`"),
+    "view": (viewing, "write pages to look at: all rooms on a contact sheet"),
     "check-dataset": (checking, "are the episodes sound, and can they be solved?"),
     "bench": (benching, "measure speed and memory"),
 }

@@ -12,6 +12,8 @@ GRID = 0.25
 """Distance between neighbouring positions, AI2-THOR's default."""
 RADIUS = 0.2
 """The robot's, in metres."""
+CLEARANCE = 0.12
+"""Metres from boxes at which AI2-THOR's robot stands: its colliders are smaller than boxes."""
 STANDING = 0.9
 """Height AI2-THOR reports for the robot's position."""
 HEADROOM = 1.0
@@ -52,7 +54,7 @@ class WalkableFloor:
     ) -> None:
         """Find where to stand among `solids`, by default the boxes of `objects`."""
         self.obstacles = list(_boxes(objects) if solids is None else solids)
-        self._inside = footprint(bounds).grown(-RADIUS)
+        self._inside = footprint(bounds).grown(-RADIUS if solids is None else -CLEARANCE)
         self._grid = grid
         free = self._free_cells()
         cells = _connected(free, self._cell(start.x, start.z) if start else None)

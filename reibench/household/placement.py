@@ -1,6 +1,6 @@
 """Where things find room: free spots in and on receptacles."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -64,8 +64,8 @@ def free_spot(
     rank: Rank,
     area: Footprint | None = None,
     *,
-    holds: Surface | None = None,
     closely: bool = False,
+    holds: Surface | None = None,
 ) -> Spot | None:
     """Return the free spot for `thing` in or on `receptacle` whose middle ranks lowest.
 
@@ -84,14 +84,21 @@ def free_spot(
     for step in (STEP, CLOSE_STEP) if closely else (STEP,):
         for size in _postures(thing, receptacle):
             occupied = list(_occupied(objects, thing, receptacle, size.y, closely))
-            for level in _levels(receptacle, size.y):
-                for x, z in _grid(area, size, rank, step):
-                    box = Box(Vector(x, level + size.y / 2, z), size)
-                    if holds is not None and not holds(box):
-                        continue
-                    if not any(_overlap(box, other) for other in occupied):
-                        return Spot(box.center, size)
+            for box in _boxes(receptacle, area, size, rank, step):
+                if holds is not None and not holds(box):
+                    continue
+                if not any(_overlap(box, other) for other in occupied):
+                    return Spot(box.center, size)
     return None
+
+
+def _boxes(
+    receptacle: SceneObject, area: Footprint, size: Vector, rank: Rank, step: float
+) -> Iterator[Box]:
+    """Yield the boxes a thing of that size could take up, best first on each level."""
+    for level in _levels(receptacle, size.y):
+        for x, z in _grid(area, size, rank, step):
+            yield Box(Vector(x, level + size.y / 2, z), size)
 
 
 def surface(receptacle: SceneObject) -> float:

@@ -13,11 +13,10 @@ from reibench.errors import InvalidRoom, UnknownName, unknown
 from reibench.household.entries import describe_object, exact, read_box, read_object, rounded
 from reibench.household.floor import GRID, Solid, SurveyedFloor, WalkableFloor
 from reibench.household.geometry import Footprint, footprint
-from reibench.household.objects import SURFACES
 from reibench.household.particulars import Particulars
 from reibench.household.particulars import describe as describe_particulars
 from reibench.household.particulars import read as read_particulars
-from reibench.household.solids import holds, shapes, solids
+from reibench.household.solids import COUNTERS, holds, shapes, solids
 from reibench.scene import Box, Pose, SceneObject, Vector
 
 PROJECT = Path(__file__).parents[2]
@@ -68,9 +67,12 @@ class Room:
         return WalkableFloor(self.bounds, self.objects, start, grid, solids=self.solids())
 
     def surface(self, name: str) -> Callable[[Box], bool] | None:
-        """Return what says whether things stay on an object; None where its box says it."""
+        """Return what says whether things stay on an object; None where its box says it.
+
+        Only counters go around corners; elsewhere things may jut out, as a pan does on a burner.
+        """
         thing = self.by_id.get(name)
-        if not self.particulars or thing is None or thing.type not in SURFACES:
+        if not self.particulars or thing is None or thing.type not in COUNTERS:
             return None
         parts = shapes(thing, self.objects, self.particulars, self.bounds)
         return partial(holds, parts)

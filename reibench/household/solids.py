@@ -10,17 +10,17 @@ from functools import partial
 from math import hypot
 from typing import NamedTuple
 
-from reibench.household.floor import HEADROOM, LOWEST, Solid
+from reibench.household.floor import CLEARANCE, HEADROOM, LOWEST, Solid
 from reibench.household.geometry import Footprint, bottom, footprint, top
 from reibench.household.particulars import Particulars
 from reibench.scene import Box, SceneObject
 
-CLEARANCE = 0.12
-"""Metres from a box at which AI2-THOR's robot stands: colliders are smaller than boxes."""
 DEPTH = 0.65
 """Metres of counter before a wall."""
 DEEP = 0.85
 """Metres; a counter wider than this both ways goes around a corner."""
+BAR = 1.25
+"""Metres; below this a counter is one, above a shelf on the wall."""
 AT_WALL = 0.25
 """Metres from the wall within which a counter stands against it."""
 SPREAD = 0.3
@@ -98,7 +98,7 @@ def shapes(
 ) -> list[Rectangle]:
     """Return what an object covers, which can be less than its box."""
     if thing.type in COUNTERS:
-        return list(_counter(thing, objects, footprint(bounds)))
+        return counter_parts(thing, objects, bounds)
     if thing.type == "Bathtub":
         return [_bath(thing, objects)]
     return [_base(thing, particulars.get(thing.id))]
@@ -127,7 +127,8 @@ def _base(thing: SceneObject, own: Particulars | None) -> Rectangle:
 def _stands_in_the_way(thing: SceneObject) -> bool:
     if thing.pickupable or thing.type in FLAT_ON_WALLS or thing.type in PASSABLE:
         return False
-    return bottom(thing.box) < HEADROOM and top(thing.box) > LOWEST
+    headroom = BAR if thing.type in COUNTERS else HEADROOM
+    return bottom(thing.box) < headroom and top(thing.box) > LOWEST
 
 
 def _whole(area: Footprint) -> Rectangle:
@@ -144,7 +145,14 @@ def _bath(bath: SceneObject, objects: tuple[SceneObject, ...]) -> Rectangle:
     return Rectangle.between(left, right, near, far)
 
 
-def _counter(
+def counter_parts(
+    counter: SceneObject, objects: tuple[SceneObject, ...], bounds: Box
+) -> list[Rectangle]:
+    """Return the parts of a counter, which around a corner has several."""
+    return list(_parts(counter, objects, footprint(bounds)))
+
+
+def _parts(
     counter: SceneObject, objects: tuple[SceneObject, ...], walls: Footprint
 ) -> Iterator[Rectangle]:
     """Yield the parts of a counter: all of it, or the strips along the sides that hold things.
@@ -159,7 +167,7 @@ def _counter(
         Rectangle.between(left, right, near, near + DEPTH): near - walls.near < AT_WALL,
         Rectangle.between(left, right, far - DEPTH, far): walls.far - far < AT_WALL,
     }
-    unexplained = _on_or_under(counter, area, objects)
+    unexplained = _signs(counter, area, objects)
     if min(right - left, far - near) < DEEP or not unexplained or not any(strips.values()):
         yield _whole(area)
         return
@@ -204,17 +212,21 @@ def _holds(strip: Rectangle, one: Footprint) -> bool:
     return strip.distance(one.x, one.z) <= 0.05
 
 
-def _on_or_under(
+def _signs(
     counter: SceneObject, area: Footprint, objects: tuple[SceneObject, ...]
 ) -> list[Footprint]:
-    """Return what shows where there is counter: things on it, and what is built in under it."""
+    """Return what shows where there is counter: what is built in, and what lies on a desk.
+
+    What lies on kitchen counters shows it too, but would change what is drawn when it is moved.
+    """
     near = area.grown(0.05)
+    lying = (counter.contents or ()) if counter.type == "Desk" else ()
     found = []
     for thing in objects:
-        built_in = thing.type in BUILT_IN and bottom(thing.box) < HEADROOM + 0.3
         hangs = thing.type == "Cabinet" and bottom(thing.box) > HEADROOM - 0.1
-        if thing.id in (counter.contents or ()) or (built_in and not hangs):
+        built_in = thing.type in BUILT_IN and bottom(thing.box) < HEADROOM + 0.3 and not hangs
+        if built_in or thing.id in lying:
             covered = footprint(thing.box)
-            if thing.id != counter.id and near.covers(covered.x, covered.z):
+            if near.covers(covered.x, covered.z):
                 found.append(covered)
     return found

@@ -6,6 +6,7 @@ from functools import cached_property
 from operator import attrgetter
 from typing import Any
 
+from reibench.household.cameras import Camera
 from reibench.household.floor import GRID, WalkableFloor
 from reibench.household.geometry import Footprint, Sight, footprint, forward, shifted
 from reibench.household.objects import SOURCES
@@ -30,6 +31,8 @@ class Settings:
     """Metres within which things are visible and can be acted on, measured horizontally."""
     field_of_view: float = 90.0
     """Degrees."""
+    screen: tuple[int, int] = (300, 300)
+    """Width and height of frames, in pixels."""
 
 
 @dataclass(frozen=True)
@@ -44,7 +47,9 @@ class Moment:
     """How far what is open is open, 0 to 1, where that is neither."""
     agent: Pose
     sight: Sight
-    field_of_view: float
+    settings: Settings
+    cameras: tuple[Camera, ...] = ()
+    """Third-party cameras, in the order they were hung up."""
 
     @cached_property
     def scene(self) -> Scene:
@@ -80,6 +85,7 @@ class State:
         """When each hot or cold thing was last kept so."""
         self.time = 0
         self.sources = [thing.id for thing in room.objects if thing.type in SOURCES]
+        self.cameras: tuple[Camera, ...] = ()
         self.agent = room.start
         self._moment: Moment | None = None
 
@@ -120,9 +126,14 @@ class State:
                 self.openness,
                 self._agent,
                 self.sight,
-                self.settings.field_of_view,
+                self.settings,
+                self.cameras,
             )
         return self._moment
+
+    def forget_moment(self) -> None:
+        """Have the next moment made anew, because something in it has changed."""
+        self._moment = None
 
     def sees(self, name: str) -> bool:
         """Whether the robot sees that object."""
@@ -188,6 +199,8 @@ class State:
     ) -> None:
         """Put an object down around `middle`, in or on `receptacle`, from wherever it is."""
         self._leave(name)
+        if self.objects[name].pickupable:
+            self._shed(name)
         if self.held == name:
             self.held = ""
         parents = (receptacle,) if receptacle else ()

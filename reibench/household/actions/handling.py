@@ -62,7 +62,8 @@ def put_object(
             "ReceptacleNotOpen",
         )
     lying, holds = _as_lying(state, thing), state.room.surface(receptacle.id)
-    spot = free_spot(state.objects, lying, receptacle, _before(state), holds=holds, closely=True)
+    before = _before(state)
+    spot = free_spot(state.objects, lying, receptacle, before, closely=True, holds=holds)
     if spot is None:
         raise Refused("No valid points to place object found", "ReceptacleFull")
     state.put(thing.id, *spot, receptacle=receptacle.id)

@@ -31,14 +31,27 @@ def wait(state: State) -> None:
 def initialize(state: State, **options: Any) -> dict[str, float]:
     """Take settings; what has no meaning without a camera or physics is let pass."""
     before = state.settings
-    state.configure(
-        Settings(
-            grid=float(options.get("gridSize", before.grid)),
-            reach=float(options.get("visibilityDistance", before.reach)),
-            field_of_view=float(options.get("fieldOfView", before.field_of_view)),
-        )
-    )
+    grid = _number(options, "gridSize", before.grid)
+    if not 0 < grid <= 5:
+        raise Refused("grid size must be in the range (0,5]")
+    field_of_view = _number(options, "fieldOfView", before.field_of_view)
+    if not 0 < field_of_view < 180:
+        raise Refused("fov must be set to (0, 180) noninclusive.")
+    reach = _number(options, "visibilityDistance", before.reach)
+    state.configure(Settings(grid, reach, field_of_view, before.screen))
     return {"cameraNearPlane": 0.1, "cameraFarPlane": 20.0}
+
+
+def _number(options: dict[str, Any], name: str, otherwise: float) -> float:
+    value = options.get(name)
+    if value is None:
+        return otherwise
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise Refused(
+            f"Initialize takes a number as {name}, not {value!r}.", "InvalidArgument"
+        ) from None
 
 
 @action("SetObjectStates")
@@ -77,20 +90,27 @@ def set_object_poses(
     afterwards, and naming a thing again makes a copy of it.
     """
     by_name = {thing.name: thing for thing in state.objects.values()}
-    for pose in objectPoses:
-        _require_movable(by_name.get(pose["objectName"]), pose["objectName"])
-    if not objectPoses:
+    wanted = [_read_pose(pose) for pose in objectPoses]
+    named = {name for name, _, _ in wanted}
+    for name in named:
+        _require_movable(by_name.get(name), name)
+    if not wanted:
         return
-    named = {pose["objectName"] for pose in objectPoses}
     _take_away([thing for thing in by_name.values() if _movable(thing)], named, state)
     placed: set[str] = set()
-    for number, pose in enumerate(objectPoses):
-        thing = by_name[pose["objectName"]]
+    for number, (name, position, turn) in enumerate(wanted):
+        thing = by_name[name]
         if thing.name in placed:
             thing = _copy(state, thing, number)
         placed.add(thing.name)
-        turn = (pose.get("rotation") or {}).get("y")
-        _put_at(state, thing, Vector(*vector(pose["position"])), turn)
+        _put_at(state, thing, position, turn)
+
+
+def _read_pose(pose: dict[str, Any]) -> tuple[str, Vector, float | None]:
+    """Read one pose: name, position, and how it is turned if that is said."""
+    turn = (pose.get("rotation") or {}).get("y")
+    position = Vector(*vector(pose.get("position")))
+    return str(pose.get("objectName", "")), position, None if turn is None else float(turn)
 
 
 def _movable(thing: SceneObject) -> bool:
@@ -141,7 +161,7 @@ def place_object_at_point(
     thing = interactable(state, objectId, force=True)
     if not _movable(thing):
         raise Refused(f"{thing.name} can neither be picked up nor moved.")
-    turn = None if rotation is None else rotation.get("y", thing.yaw)
+    turn = None if rotation is None else float(rotation.get("y", thing.yaw))
     _put_at(state, thing, Vector(*vector(position)), turn)
 
 
@@ -150,7 +170,7 @@ def _put_at(state: State, thing: SceneObject, position: Vector, turn: float | No
     unmoved = dist(position, thing.position) < UNMOVED and (turn is None or turn == thing.yaw)
     if unmoved and not thing.pickupable and state.held != thing.id:
         return
-    there = posed(thing, position, thing.yaw if turn is None else float(turn))
+    there = posed(thing, position, thing.yaw if turn is None else turn)
     state.put(thing.id, there.box.center, there.box.size)
     state.change(thing.id, position=position, yaw=there.yaw)
     receptacle = _receptacle_at(state, state.objects[thing.id])
