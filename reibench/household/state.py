@@ -199,6 +199,8 @@ class State:
     ) -> None:
         """Put an object down around `middle`, in or on `receptacle`, from wherever it is."""
         self._leave(name)
+        if self.objects[name].pickupable:
+            self._shed(name)
         if self.held == name:
             self.held = ""
         parents = (receptacle,) if receptacle else ()
