@@ -9,6 +9,8 @@ from reibench.commands import (
     benching,
     building,
     checking,
+    comparing,
+    dumping,
     importing,
     listing,
     replaying,
@@ -16,6 +18,7 @@ from reibench.commands import (
     sampling,
     scoring,
     shelving,
+    viewing,
 )
 from reibench.commands.output import tell
 from reibench.errors import ReibenchError
@@ -29,6 +32,9 @@ COMMANDS = {
     "sample": (sampling, "a balanced choice of episodes, frozen in a manifest"),
     "build-dataset": (building, "episodes from scripts, and scripts from seeds"),
     "import": (importing, "bring in rooms and trials from elsewhere"),
+    "compare-rooms": (comparing, "the shipped rooms beside AI2-THOR's real ones, in numbers"),
+    "dump": (dumping, "write object metadata of a simulator's rooms, for `import ithor`"),
+    "view": (viewing, "write pages to look at: all rooms on a contact sheet"),
     "check-dataset": (checking, "are the episodes sound, and can they be solved?"),
     "bench": (benching, "measure speed and memory"),
 }

@@ -124,7 +124,8 @@ class Scene:
             met.add(parent_id)
             if parent.openable and not parent.open and parent.type in CONTAINERS:
                 return parent
-            waiting.extend(parent.parents)
+            if parent.pickupable:  # what is built in goes nowhere with the plate that stood on it
+                waiting.extend(parent.parents)
         return None
 
 

@@ -1,5 +1,7 @@
 """Code versions change with what can change a run, and with nothing else."""
 
+from reibench.household import load_room
+from reibench.household.rooms import save_room
 from reibench.run import RunSpec
 from reibench.version import code_version
 
@@ -19,3 +21,11 @@ def test_the_version_is_the_same_each_time():
     spec = RunSpec(model="scripted:x")
     assert spec.versioned() == spec.versioned()
     assert spec.versioned().id != spec.id
+
+
+def test_importing_a_room_changes_the_version(tmp_path, monkeypatch):
+    monkeypatch.setenv("REIBENCH_ROOMS", str(tmp_path))
+    # Undecorated: within one process a version is worked out once.
+    before = code_version.__wrapped__("reibench.rollout")
+    save_room(load_room("kitchen-1"), tmp_path / "kitchen-9.json")
+    assert code_version.__wrapped__("reibench.rollout") != before

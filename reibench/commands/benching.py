@@ -2,6 +2,7 @@
 
 import json
 from argparse import ArgumentParser, Namespace
+from typing import Any
 
 from reibench.bench import bench_world
 from reibench.commands.options import add_json
@@ -16,13 +17,37 @@ def add(command: ArgumentParser) -> None:
 
 
 def bench_command(arguments: Namespace) -> int:
-    """Time the embedded world."""
-    result = bench_world()
+    """Time the embedded world, alone and beside itself over AI2-THOR's wires."""
+    result: dict[str, Any] = bench_world()
     if arguments.json:
         say(json.dumps(result))
     else:
-        rates = result["skill_steps_per_second"]
-        if isinstance(rates, dict):
-            say(table(list(rates.items()), ["objects", "skill steps per second"]))
-        say(f"64 worlds: {result['memory_mb_64_worlds']} MB")
+        for line in _lines(result):
+            say(line)
     return 0
+
+
+def _lines(result: dict[str, Any]) -> list[str]:
+    sizes = [
+        [size, rate, result["working_skill_steps_per_second"][size], f"{share:.0%}"]
+        for size, rate, share in zip(
+            result["skill_steps_per_second"],
+            result["skill_steps_per_second"].values(),
+            result["share_that_worked"].values(),
+            strict=True,
+        )
+    ]
+    sides = [
+        [way, each["visits"], each["working"], f"{each['working_to_embedded']:.2%}"]
+        for way, each in result["side_by_side"].items()
+    ]
+    return [
+        "The embedded world: visits try what can be done with one thing after another, and many"
+        " are refused; working steps are the expert's plan.",
+        table(sizes, ["objects", "visits a second", "working steps a second", "visits that work"]),
+        f"64 worlds: {result['memory_mb_64_worlds']} MB",
+        "",
+        f"Side by side with {result['side_by_side_objects']} objects; FIFO and WSGI are the same"
+        " world through AI2-THOR's client and the wire stand-in (protocol-verified):",
+        table(sides, ["world", "visits a second", "working steps a second", "to embedded"]),
+    ]

@@ -1,6 +1,7 @@
 """`list`: what there is of each kind."""
 
 from argparse import ArgumentParser, Namespace
+from collections import Counter
 from collections.abc import Callable, Iterable
 from typing import Any
 
@@ -9,7 +10,7 @@ from reibench.commands.options import add_episodes, add_json, chosen_episodes
 from reibench.commands.output import say, say_json, table
 from reibench.dialogue import LEVELS
 from reibench.episode import Episode, TaskType
-from reibench.household import room_names
+from reibench.household import Room, load_room, room_names
 from reibench.methods import methods
 from reibench.planners import planners
 from reibench.skill import DONE, SKILLS
@@ -40,6 +41,8 @@ def add(command: ArgumentParser) -> None:
 def list_command(arguments: Namespace) -> int:
     """Print what there is of one kind."""
     kind = arguments.kind
+    if kind == "rooms":
+        return _list_rooms(arguments)
     if kind == "episodes":
         return _print_list(arguments, [_episode_row(each) for each in chosen_episodes(arguments)])
     return _print_list(arguments, [{kind.removesuffix("s"): name} for name in NAMES[kind]()])
@@ -53,6 +56,24 @@ def _print_list(arguments: Namespace, rows: list[dict[str, Any]]) -> int:
     else:
         say("\n".join(str(next(iter(row.values()))) for row in rows))
     return 0
+
+
+def _list_rooms(arguments: Namespace) -> int:
+    """Print the rooms; as JSON with how many objects of each type they have."""
+    rows = [_room_row(load_room(name)) for name in room_names()]
+    if not arguments.json:
+        rows = [{**row, "objects": sum(row["objects"].values())} for row in rows]
+    return _print_list(arguments, rows)
+
+
+def _room_row(room: Room) -> dict[str, Any]:
+    counts = Counter(thing.type for thing in room.objects)
+    return {
+        "room": room.name,
+        "kind": room.kind,
+        "area": round(room.bounds.size.x * room.bounds.size.z, 1),
+        "objects": dict(sorted(counts.items())),
+    }
 
 
 def _episode_row(episode: Episode) -> dict[str, Any]:

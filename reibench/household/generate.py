@@ -14,6 +14,8 @@ from reibench.household.furnishing import FURNISHERS
 from reibench.household.furnishing.common import Cramped
 from reibench.household.furnishing.shelves import add_shelving
 from reibench.household.geometry import footprint
+from reibench.household.habits import Stratum
+from reibench.household.homes import draft_home
 from reibench.household.layout import CEILING, Draft
 from reibench.household.objects import ROOM_KINDS, object_type
 from reibench.household.plans import PLANS, Plan
@@ -81,8 +83,36 @@ def generate_room(
     raise InvalidRoom(f"No {kind} with seed {seed} and all that is asked of it worked out.")
 
 
+def generate_home(kind: str, seed: int, *, name: str, stratum: Stratum | None = None) -> Room:
+    """Make up a room that is like real ones; the same arguments give the same room.
+
+    Args:
+        kind: `kitchen`, `living room`, `bedroom` or `bathroom`.
+        seed: decides everything left open.
+        name: what the room will be called.
+        stratum: which of several rooms it is that together are to be like the real ones.
+
+    Raises:
+        UnknownName: for a kind there is none of.
+        InvalidRoom: when no room like that works out.
+    """
+    if kind not in ROOM_KINDS:
+        raise unknown("kind of room", kind, ROOM_KINDS)
+    for attempt in range(ATTEMPTS):
+        try:
+            draft = draft_home(kind, seed, attempt, stratum)
+        except Cramped:
+            continue
+        room = _finish(draft, name)
+        if not shortcomings(room, hiding=False):
+            return room
+    raise InvalidRoom(f"No {kind} with seed {seed} worked out.")
+
+
 def planned_room(name: str, plan: Plan) -> Room:
     """Make one of the rooms that come with the project."""
+    if plan.stratum is not None:
+        return generate_home(plan.kind, plan.seed, name=name, stratum=plan.stratum)
     return generate_room(
         plan.kind,
         plan.seed,
@@ -99,13 +129,16 @@ def main() -> None:
         save_room(planned_room(name, plan), ROOMS / f"{name}.json")
 
 
-def shortcomings(room: Room, require: Collection[str] = ()) -> list[str]:
-    """Say what is wrong with a room: what is missing, in the way or out of reach."""
+def shortcomings(room: Room, require: Collection[str] = (), *, hiding: bool = True) -> list[str]:
+    """Say what is wrong with a room: what is missing, in the way or out of reach.
+
+    `hiding` asks for something that is put away, which many a real room has not.
+    """
     present = {thing.type for thing in room.objects}
     wrong = [f"no {name}" for name in sorted(set(require) - present)]
     if len(room.reachable) < 12:
         wrong.append("hardly any floor to walk on")
-    if not any(inner.parents and hidden(room.by_id, inner) for inner in room.objects):
+    if hiding and not any(inner.parents and hidden(room.by_id, inner) for inner in room.objects):
         wrong.append("nothing is put away")
     for thing in room.objects:
         used = thing.receptacle or thing.openable or thing.toggleable or thing.pickupable

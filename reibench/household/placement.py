@@ -1,6 +1,6 @@
 """Where things find room: free spots in and on receptacles."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -46,6 +46,8 @@ BUILT_IN = frozenset(
 
 Rank = Callable[[float, float], float]
 """Says how good a place (x, z) is; lower is better."""
+Surface = Callable[[Box], bool]
+"""Says whether something of that box would be held, not in the gap of a counter's box."""
 
 
 class Spot(NamedTuple):
@@ -63,12 +65,14 @@ def free_spot(
     area: Footprint | None = None,
     *,
     closely: bool = False,
+    holds: Surface | None = None,
 ) -> Spot | None:
     """Return the free spot for `thing` in or on `receptacle` whose middle ranks lowest.
 
     The size of `thing` is how it naturally lies; `area` narrows the search to a part of the
-    receptacle; `closely` looks beyond boxes, which are larger than what is in them: utensils are
-    laid straight, and lamps have narrow feet. None means there is no room left.
+    receptacle, `holds` to where it really is; `closely` looks beyond boxes, which are larger than
+    what is in them: utensils are laid straight, and lamps have narrow feet. None means there is no
+    room left.
     """
     if receptacle.type in SINGLE and receptacle.contents:
         return None
@@ -80,12 +84,21 @@ def free_spot(
     for step in (STEP, CLOSE_STEP) if closely else (STEP,):
         for size in _postures(thing, receptacle):
             occupied = list(_occupied(objects, thing, receptacle, size.y, closely))
-            for level in _levels(receptacle, size.y):
-                for x, z in _grid(area, size, rank, step):
-                    box = Box(Vector(x, level + size.y / 2, z), size)
-                    if not any(_overlap(box, other) for other in occupied):
-                        return Spot(box.center, size)
+            for box in _boxes(receptacle, area, size, rank, step):
+                if holds is not None and not holds(box):
+                    continue
+                if not any(_overlap(box, other) for other in occupied):
+                    return Spot(box.center, size)
     return None
+
+
+def _boxes(
+    receptacle: SceneObject, area: Footprint, size: Vector, rank: Rank, step: float
+) -> Iterator[Box]:
+    """Yield the boxes a thing of that size could take up, best first on each level."""
+    for level in _levels(receptacle, size.y):
+        for x, z in _grid(area, size, rank, step):
+            yield Box(Vector(x, level + size.y / 2, z), size)
 
 
 def surface(receptacle: SceneObject) -> float:

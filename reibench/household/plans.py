@@ -3,6 +3,9 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from reibench.household.habits import Stratum
+from reibench.household.objects import ROOM_KINDS
+
 
 @dataclass(frozen=True)
 class Plan:
@@ -16,6 +19,8 @@ class Plan:
     speak of what is in it, and of nothing else."""
     where: Mapping[str, str] = field(default_factory=dict)
     """Where some types start. Opening something is needed for the potato and the credit card."""
+    stratum: Stratum | None = None
+    """For a room made like real ones: which of how many of its kind it is."""
 
 
 _KITCHEN = (
@@ -33,7 +38,7 @@ _BEDROOM = (
     " KeyChain Laptop Mirror Mug Painting Pen Pencil Pillow Shelf TissueBox Window"
 )
 
-PLANS: Mapping[str, Plan] = {
+_WRITTEN: Mapping[str, Plan] = {
     "kitchen-1": Plan(
         "kitchen",
         1,
@@ -78,5 +83,21 @@ PLANS: Mapping[str, Plan] = {
     "bedroom-2": Plan("bedroom", 2, ("Desk", "Dresser", "Mirror", "SideTable")),
     "bathroom-1": Plan("bathroom", 1, ("Bathtub", "Cabinet")),
     "bathroom-2": Plan("bathroom", 2, ("Drawer", "Shelf")),
+}
+"""The rooms the shipped dialogues were written for; results were measured in them, so that they
+stay as they are."""
+
+HOMES = 28
+"""Rooms of each kind that are made like real ones."""
+
+PLANS: Mapping[str, Plan] = {
+    **_WRITTEN,
+    **{
+        f"{kind.replace(' ', '-')}-{index + 3}": Plan(
+            kind, index + 3, stratum=Stratum(index, HOMES)
+        )
+        for kind in ROOM_KINDS
+        for index in range(HOMES)
+    },
 }
 """By name of the room."""

@@ -80,7 +80,7 @@ def _blocks(scene: Scene, canvas: Canvas) -> Blocks:
         (thing, band)
         for thing in scene.objects
         if thing.type in _BLOCKING and not _hangs(thing)
-        for band in bands(thing, canvas)
+        for band in bands(thing, scene, canvas)
     ]
 
 

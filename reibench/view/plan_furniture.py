@@ -51,7 +51,7 @@ def _cover(thing: SceneObject) -> float:
 def _draw(thing: SceneObject, scene: Scene, canvas: Canvas, *, above: bool) -> str:
     area = canvas.rect(thing.box)
     if thing.type == "CounterTop":
-        surface = bands(thing, canvas)
+        surface = bands(thing, scene, canvas)
         corner = 6.0 if _free_standing(area, canvas) else 2.0
         outline = [rect(band, "counter", corner) for band in surface]
         joint = [rect(band.grown(-0.5), "counter nostroke", 1) for band in surface[:-1]]
@@ -77,7 +77,7 @@ def _label(thing: SceneObject, area: Rect) -> Drawing:
             label(area.cx, area.cy - 2, "micro-", "sm"),
             label(area.cx, area.cy + 9, "wave", "sm"),
         ]
-    if area.width < 6 * len(words):
+    if area.width < 6.4 * len(words):
         return []
     return [label(area.cx, area.cy + 4, words, "sm" if area.width < 50 else "")]
 

@@ -4,6 +4,7 @@ import math
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from reibench.household.solids import counter_parts
 from reibench.scene import Box, Scene, SceneObject
 from reibench.view.icons import appearance
 
@@ -168,24 +169,17 @@ def turned(thing: SceneObject, canvas: Canvas) -> Turned:
     return Turned(rect.cx, rect.cy, width, depth, thing.yaw)
 
 
-def bands(thing: SceneObject, canvas: Canvas) -> list[Rect]:
-    """Return the surface of `thing`; a counter deep both ways in a corner is taken as an L.
+def bands(thing: SceneObject, scene: Scene, canvas: Canvas) -> list[Rect]:
+    """Return the surface of `thing`; a counter around a corner has several parts.
 
     AI2-THOR reports only the box around such a counter, which would cover the open floor.
     """
-    area, floor = canvas.rect(thing.box), canvas.floor
-    depth, near = 0.68 * canvas.scale, 0.22 * canvas.scale
-    left, right = area.x - floor.x < near, floor.right - area.right < near
-    top, bottom = area.y - floor.y < near, floor.bottom - area.bottom < near
-    flat = thing.type == "CounterTop" and thing.box.size.y < 0.3
-    if not (flat and (left or right) and (top or bottom)):
+    area = canvas.rect(thing.box)
+    if thing.type != "CounterTop":
         return [area]
-    if min(area.width, area.height) < 1.5 * depth:
-        return [area]
-    sides = (
-        (left, Rect(area.x, area.y, depth, area.height)),
-        (right, Rect(area.right - depth, area.y, depth, area.height)),
-        (top, Rect(area.x, area.y, area.width, depth)),
-        (bottom, Rect(area.x, area.bottom - depth, area.width, depth)),
-    )
-    return [band for stands, band in sides if stands]
+    drawn = []
+    for part in counter_parts(thing, scene.objects, scene.bounds):
+        x, y = canvas.point(part.x - part.half_width, part.z + part.half_depth)
+        size = 2 * part.half_width * canvas.scale, 2 * part.half_depth * canvas.scale
+        drawn.append(Rect(x, y, *size).within(area))
+    return drawn

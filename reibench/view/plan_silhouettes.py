@@ -207,6 +207,7 @@ def _faucet(thing: SceneObject, width: float, depth: float) -> Drawing:
 
 
 def _toilet(thing: SceneObject, width: float, depth: float) -> Drawing:
+    width = min(width, 0.68 * depth)  # some real boxes take in what hangs beside it
     tank = Rect(-width / 2, depth / 2 - depth * 0.26, width, depth * 0.26)
     seat = element(
         "ellipse", class_="sink", cx=0, cy=-depth * 0.12, rx=width * 0.4, ry=depth * 0.37

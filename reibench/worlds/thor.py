@@ -42,6 +42,11 @@ class ThorWorld:
             Verb.TURN_OFF: self._turn_off,
         }
 
+    @property
+    def simulator(self) -> Simulator:
+        """The simulator the skills act on."""
+        return self._simulator
+
     def reset(self, task: Task) -> Event:
         """Set up the task's room."""
         self._task = task
@@ -140,11 +145,14 @@ class ThorWorld:
     ) -> SceneObject:
         """Return the instance meant: the one gone to, else the nearest to it that is `ready`."""
         seen = [thing for thing in things if thing.id in self._scene.visible and not thing.held]
-        if not seen and (beside := self._legs.turn_to(self._scene, things)):
-            return beside
+        place = self._scene.by_id.get(self._visiting)
+        gone_to = self._there(place)
+        if not any(thing.id in gone_to for thing in seen):
+            # What is meant may lie at the far end of what the robot went to, out of its view.
+            there = [thing for thing in things if thing.id in gone_to]
+            if beside := self._legs.turn_to(self._scene, there if seen else things):
+                return beside
         if seen:
-            place = self._scene.by_id.get(self._visiting)
-            gone_to = self._there(place)
             here = place.position if place and not place.held else self._scene.agent.position
             return min(
                 seen,

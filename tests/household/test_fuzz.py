@@ -14,7 +14,7 @@ OTHER_ACTIONS = "MoveAhead MoveBack RotateLeft RotateRight LookUp DropHandObject
 
 
 @pytest.mark.parametrize("seed", range(3))
-@pytest.mark.parametrize("room", room_names())
+@pytest.mark.parametrize("room", room_names()[::10])
 def test_any_actions_in_any_order_leave_a_possible_room(room, seed):
     random, controller = Random(seed), Controller(room)
     done = 0

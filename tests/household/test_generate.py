@@ -10,7 +10,7 @@ from reibench.household.plans import PLANS
 SEEDS = range(20)
 
 
-@pytest.mark.parametrize("name", PLANS)
+@pytest.mark.parametrize("name", [name for name, plan in PLANS.items() if not plan.stratum])
 def test_the_rooms_that_come_with_the_project_are_up_to_date(name):
     told = "run python -m reibench.household.generate"
     assert planned_room(name, PLANS[name]) == load_room(name), told

@@ -115,7 +115,7 @@ def test_a_thing_can_be_placed_at_a_point(robot):
 
 def test_initialize_changes_how_far_one_sees(robot):
     before = len(robot.controller.snapshot().visible)
-    assert robot("Initialize", visibilityDistance=10.0, fieldOfView=180, quality="Low").success
+    assert robot("Initialize", visibilityDistance=10.0, fieldOfView=170, quality="Low").success
     assert len(robot.controller.snapshot().visible) > before
 
 
@@ -123,3 +123,11 @@ def test_initialize_changes_the_grid(robot):
     many = len(robot.controller.reachable())
     robot("Initialize", gridSize=0.5)
     assert len(robot.controller.reachable()) < many / 2
+
+
+def test_what_poses_take_away_acts_no_more(robot):
+    apple = robot.find("Apple")
+    pose = {"objectName": apple.name, "position": apple.position._asdict()}
+    assert robot("SetObjectPoses", objectPoses=[pose]).success
+    assert not robot.controller.snapshot().of_type("Microwave")
+    assert robot("Pass").success

@@ -2,13 +2,15 @@
 
 from collections import Counter
 from itertools import islice
+from random import Random
 
 import pytest
 
 from reibench.dialogue import LEVELS, Dialogue, Utterance
 from reibench.episode import Episode, Goal, SceneSetup, Task, TaskType
-from reibench.household import load_room, room_names
+from reibench.household import load_room
 from reibench.household.objects import object_type
+from reibench.household.plans import PLANS
 from reibench.methods import Instruction
 from reibench.planners.expert import Expert
 from reibench.rollout import Rollout, drive
@@ -16,6 +18,15 @@ from reibench.skill import PICKABLE, RECEPTACLES, SLICEABLE
 
 TREATED = {TaskType.HEAT: "Microwave", TaskType.COOL: "Fridge", TaskType.CLEAN: "Sink"}
 CARRIERS = ("Bowl", "Box", "Cup", "Mug", "Plate", "Pan", "Pot")
+WRITTEN = [name for name, plan in PLANS.items() if not plan.stratum]
+HOMES = [name for name, plan in PLANS.items() if plan.stratum]
+KINDS_OF_TASK = {
+    "kitchen": {"pick", "stack", "clean", "heat", "cool", "sliced"},
+    "living room": {"pick", "stack", "examine"},
+    "bedroom": {"pick", "stack", "examine"},
+    "bathroom": {"pick", "clean"},
+}
+"""Which tasks ALFRED sets in which rooms."""
 NOTHING = Instruction(text="", original="")
 
 
@@ -52,7 +63,7 @@ def solve(room, goal, world):
     return rollout
 
 
-@pytest.mark.parametrize("room", room_names())
+@pytest.mark.parametrize("room", WRITTEN)
 def test_the_expert_solves_every_third_task_a_room_allows_but_for_full_tables(room, world):
     solved, all_ = Counter(), Counter()
     for goal in islice(goals_in(room), 0, None, 3):
@@ -68,6 +79,29 @@ def test_the_expert_solves_every_third_task_a_room_allows_but_for_full_tables(ro
         assert solved[kind] == all_[kind], kind
 
 
+@pytest.mark.parametrize("kind", KINDS_OF_TASK)
+def test_the_expert_solves_tasks_of_every_type_in_all_rooms_made_like_real_ones(kind, world):
+    solved, all_ = Counter(), Counter()
+    for room in (name for name in HOMES if PLANS[name].kind == kind):
+        goals = {}
+        for goal in goals_in(room):
+            named = "sliced" if goal.sliced else goal.task_type.short
+            goals.setdefault(named, []).append(goal)
+        assert set(goals) >= KINDS_OF_TASK[kind] - {"stack"}, room
+        for named in sorted(goals):
+            chosen = Random(room).sample(goals[named], min(5, len(goals[named])))
+            rollouts = [solve(room, goal, world) for goal in chosen]
+            all_[named] += len(chosen)
+            successes = sum(rollout.status == "success" for rollout in rollouts)
+            solved[named] += successes
+            assert successes or named == "stack", f"no {named} task was solved in {room}"
+    assert set(all_) >= KINDS_OF_TASK[kind]
+    # A box finds no room on a desk or table with much on it.
+    least = {"stack": 0.7, "pick": 0.93}
+    for named, count in all_.items():
+        assert solved[named] >= least.get(named, 0.98) * count, (named, solved[named], count)
+
+
 def test_the_expert_opens_what_hides_the_object(world):
     rollout = solve("kitchen-2", Goal(TaskType.HEAT, "Egg", "CounterTop"), world)
     assert rollout.status == "success"
@@ -76,8 +110,8 @@ def test_the_expert_opens_what_hides_the_object(world):
     ]  # fmt: skip
 
 
-def test_the_expert_makes_room_in_a_full_sink(world):
-    rollout = solve("kitchen-1", Goal(TaskType.PICK, "Pan", "Sink"), world)
+def test_the_expert_makes_room_on_full_shelves(world):
+    rollout = solve("kitchen-14", Goal(TaskType.PICK, "Pot", "Shelf"), world)
     assert rollout.status == "success"
     assert any(not step.event.success for step in rollout.steps)
 

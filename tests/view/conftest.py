@@ -10,7 +10,7 @@ from reibench.rollout import Rollout
 from reibench.scene import Scene
 from reibench.watching import Sitting
 
-VOID = {"br", "img", "input"}
+VOID = {"br", "img", "input", "meta"}
 
 
 class _Balance(HTMLParser):

@@ -61,8 +61,9 @@ def put_object(
             "Target openable Receptacle is CLOSED, can't place if target is not open!",
             "ReceptacleNotOpen",
         )
-    thing = _as_lying(state, thing)
-    spot = free_spot(state.objects, thing, receptacle, _before(state), closely=True)
+    lying, holds = _as_lying(state, thing), state.room.surface(receptacle.id)
+    before = _before(state)
+    spot = free_spot(state.objects, lying, receptacle, before, closely=True, holds=holds)
     if spot is None:
         raise Refused("No valid points to place object found", "ReceptacleFull")
     state.put(thing.id, *spot, receptacle=receptacle.id)

@@ -31,14 +31,27 @@ def wait(state: State) -> None:
 def initialize(state: State, **options: Any) -> dict[str, float]:
     """Take settings; what has no meaning without a camera or physics is let pass."""
     before = state.settings
-    state.configure(
-        Settings(
-            grid=float(options.get("gridSize", before.grid)),
-            reach=float(options.get("visibilityDistance", before.reach)),
-            field_of_view=float(options.get("fieldOfView", before.field_of_view)),
-        )
-    )
+    grid = _number(options, "gridSize", before.grid)
+    if not 0 < grid <= 5:
+        raise Refused("grid size must be in the range (0,5]")
+    field_of_view = _number(options, "fieldOfView", before.field_of_view)
+    if not 0 < field_of_view < 180:
+        raise Refused("fov must be set to (0, 180) noninclusive.")
+    reach = _number(options, "visibilityDistance", before.reach)
+    state.configure(Settings(grid, reach, field_of_view, before.screen))
     return {"cameraNearPlane": 0.1, "cameraFarPlane": 20.0}
+
+
+def _number(options: dict[str, Any], name: str, otherwise: float) -> float:
+    value = options.get(name)
+    if value is None:
+        return otherwise
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise Refused(
+            f"Initialize takes a number as {name}, not {value!r}.", "InvalidArgument"
+        ) from None
 
 
 @action("SetObjectStates")
@@ -78,7 +91,8 @@ def set_object_poses(
     """
     by_name = {thing.name: thing for thing in state.objects.values()}
     for pose in objectPoses:
-        _require_movable(by_name.get(pose["objectName"]), pose["objectName"])
+        name = pose.get("objectName", "")
+        _require_movable(by_name.get(name), name)
     if not objectPoses:
         return
     named = {pose["objectName"] for pose in objectPoses}
@@ -90,7 +104,7 @@ def set_object_poses(
             thing = _copy(state, thing, number)
         placed.add(thing.name)
         turn = (pose.get("rotation") or {}).get("y")
-        _put_at(state, thing, Vector(*vector(pose["position"])), turn)
+        _put_at(state, thing, Vector(*vector(pose.get("position"))), turn)
 
 
 def _movable(thing: SceneObject) -> bool:
