@@ -6,7 +6,7 @@ BIN = $(VENV)/bin
 .PHONY: app test setup lint types screenshots
 
 app: $(VENV)/.runtime
-	$(BIN)/python app.py
+	$(BIN)/python app.py $(ARGS)
 
 setup: $(VENV)/.runtime
 

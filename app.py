@@ -2,7 +2,6 @@
 
 import argparse
 import os
-import socket
 import sys
 from pathlib import Path
 
@@ -10,42 +9,46 @@ os.environ.setdefault("GRADIO_ANALYTICS_ENABLED", "False")  # read when gradio i
 
 import gradio as gr
 import uvicorn
-from fastapi import FastAPI
+from fastapi import FastAPI, HTTPException
+from fastapi.responses import FileResponse
 from fastapi.staticfiles import StaticFiles
 
 from reibench.backends.opening import open_backend
+from reibench.commands.options import add_world, default_world
 from reibench.dataset.files import shipped_episodes
 from reibench.errors import ReibenchError
 from reibench.pages import demo
 from reibench.pages.head import HEAD
+from reibench.pages.listening import listen
+from reibench.run import RunSpec
 from reibench.sittings import Sittings
 from reibench.store import Store
+from reibench.worlds import Camera
+from reibench.worlds.naming import check_world
 
 WEB = Path(__file__).parent / "assets" / "web"
 
 
-def make_app(database: str, model: str = "") -> FastAPI:
+def make_app(database: str, model: str = "", world: str = "embedded") -> FastAPI:
     """Return the server over the database at this path; `model` overrules the shelf."""
-    sittings = Sittings(shipped_episodes(), Store(Path(database)), open_backend)
+    store = Store(Path(database))
+    sittings = Sittings(shipped_episodes(), store, open_backend, spec=RunSpec(world=world))
     app = FastAPI(title="REI-Bench", docs_url=None, redoc_url=None, openapi_url=None)
     app.mount("/web", StaticFiles(directory=WEB), name="web")
+
+    @app.get("/frames/{record}/{step}-{camera}.png")
+    def frame(record: str, step: int, camera: Camera) -> FileResponse:
+        known = store.entries("id = ?", [record])
+        path = store.frames.find(known[0].id, step, camera) if known else None
+        if path is None:
+            raise HTTPException(404, "There is no such frame.")
+        return FileResponse(path, media_type="image/png")
+
     page = demo.build(sittings, model=model)
     return gr.mount_gradio_app(
         app, page, path="/", head=HEAD, favicon_path=WEB / "favicon.svg", footer_links=[],
         run_history=False, enable_monitoring=False,
     )  # fmt: skip
-
-
-def listen(host: str, port: int) -> socket.socket:
-    """Return a socket bound to the address; raises ReibenchError if that cannot be had."""
-    try:
-        return socket.create_server((host, port))
-    except (OSError, OverflowError) as problem:
-        why = getattr(problem, "strerror", "") or problem
-        raise ReibenchError(
-            f"Cannot serve on {host}, port {port}: {why}. Stop what uses it, or choose another port"
-            " with --port."
-        ) from problem
 
 
 def main() -> int:
@@ -56,10 +59,14 @@ def main() -> int:
     parser.add_argument("--port", type=int, default=setting("REIBENCH_PORT", "7860"))
     parser.add_argument("--db", default=setting("REIBENCH_DB", "data/reibench.db"))
     parser.add_argument("--model", default=setting("REIBENCH_MODEL", ""), help="not the best one")
+    add_world(parser, default_world())
     given = parser.parse_args()
     try:
+        check_world(given.world)
         with listen(given.host, given.port) as listening:
-            config = uvicorn.Config(make_app(given.db, given.model), log_level="warning")
+            config = uvicorn.Config(
+                make_app(given.db, given.model, given.world), log_level="warning"
+            )
             sys.stderr.write(f"REI-Bench is at http://{given.host}:{given.port}\n")
             uvicorn.Server(config).run(sockets=[listening])
     except ReibenchError as problem:

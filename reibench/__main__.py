@@ -9,6 +9,7 @@ from reibench.commands import (
     benching,
     checking,
     comparing,
+    dumping,
     importing,
     listing,
     replaying,
@@ -27,6 +28,7 @@ COMMANDS = {
     "replay": (replaying, "play records again, and verify that they come out the same"),
     "import": (importing, "bring in rooms and trials from elsewhere"),
     "compare-rooms": (comparing, "the shipped rooms beside AI2-THOR's real ones, in numbers"),
+    "dump": (dumping, "write object metadata of a simulator's rooms, for `import ithor`"),
     "check-dataset": (checking, "are the episodes sound, and can they be solved?"),
     "bench": (benching, "measure speed and memory"),
 }

@@ -28,6 +28,14 @@ class ModelUnavailable(ReibenchError):
     """A language model's file is missing or broken, or its source cannot be reached."""
 
 
+class WorldUnavailable(ReibenchError):
+    """A world cannot be had here: something is not installed, or cannot be downloaded."""
+
+
+class WorldBroken(ReibenchError):
+    """A world's simulator died, hung or talked nonsense; the next reset starts a fresh one."""
+
+
 class StoreUnavailable(ReibenchError):
     """The database cannot be opened, read or written."""
 

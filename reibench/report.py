@@ -7,6 +7,7 @@ import pandas as pd
 
 from reibench.score import COUNTED, paired, records_frame, summarise
 from reibench.store import Store
+from reibench.worlds.naming import verified
 
 TITLES = {
     "success": "success",
@@ -38,6 +39,7 @@ def score_rows(store: Store, runs: set[str] | None, by: str) -> list[dict[str, A
             {
                 "run": run,
                 "actor": first["actor"],
+                "verification": verified(spec["world"]),
                 **row,
                 "determined_only": apart[0] if apart else None,
                 "spec": spec,
@@ -63,7 +65,7 @@ def score_report(rows: list[dict[str, Any]], by: str) -> str:
     for row in rows:
         spec = row["spec"]
         lines = [
-            f"{row['actor']}  ·  {spec['rules']} rules, {spec['max_steps']} steps,"
+            f"{row['actor']}  ·  {_where(spec)}{spec['rules']} rules, {spec['max_steps']} steps,"
             f" code {spec['code']}, run {row['run']}",
             f"  {row['episodes']} episodes"
             + (f", {row['unfinished']} unfinished" if row["unfinished"] else "")
@@ -90,7 +92,7 @@ def score_markdown(rows: list[dict[str, Any]], by: str) -> str:
     """Return a Markdown table: groups and totals down, runs across, solved of played in cells."""
     groups = list(dict.fromkeys(group[by] for row in rows for group in row[f"by_{by}"]))
     lines = [
-        f"| {by} | " + " | ".join(row["actor"] for row in rows) + " |",
+        f"| {by} | " + " | ".join(row["actor"] + _marked(row["spec"]) for row in rows) + " |",
         "|---" * (len(rows) + 1) + "|",
     ]
     for name in groups:
@@ -103,6 +105,17 @@ def score_markdown(rows: list[dict[str, Any]], by: str) -> str:
         cells = [f"{_rate(row, name).strip()}" for row in rows]
         lines.append(f"| **{title}** | " + " | ".join(cells) + " |")
     return "\n".join(lines)
+
+
+def _where(spec: dict[str, Any]) -> str:
+    """Name a world that is not the usual one, and how far its results can be trusted."""
+    if spec["world"] == "embedded":
+        return ""
+    return f"{spec['world']}{_marked(spec)}, "
+
+
+def _marked(spec: dict[str, Any]) -> str:
+    return f" ({verified(spec['world'])})" if verified(spec["world"]) else ""
 
 
 def _rate(row: dict[str, Any], name: str) -> str:

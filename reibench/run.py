@@ -14,7 +14,8 @@ from reibench.methods import Instruction, methods
 from reibench.planners import Planner, planners
 from reibench.rollout import MAX_STEPS, Record, Rollout, Step, drive
 from reibench.version import code_version
-from reibench.worlds import World, worlds
+from reibench.worlds import Announce, World, silently, worlds
+from reibench.worlds.naming import create_world, resolve_world
 from reibench.worlds.rules import rules_called
 
 if TYPE_CHECKING:
@@ -32,6 +33,7 @@ class RunSpec:
     model: str = ""
     """`llama-cpp:NAME` and the like; empty for planners that ask no model."""
     world: str = "embedded"
+    """`ai2thor:stand-in`, `ai2thor:PATH` and so on once resolved; see `versioned`."""
     rules: str = "strict"
     max_steps: int = MAX_STEPS
     seed: int = 0
@@ -53,19 +55,20 @@ class RunSpec:
         return f"{self.planner}+{self.method}/{self.model}"
 
     def versioned(self) -> "RunSpec":
-        """Return this spec with the version of the code that would play it now."""
+        """Return this spec with its world's full name and the code that would play it now."""
         parts = [planners.get(self.planner).__module__] if self.planner in planners.names() else []
         if self.model:
             backend = self.model.partition(":")[0]
             parts += [methods.get(self.method).__module__, backends.get(backend).__module__]
-        code = code_version("reibench.rollout", worlds.get(self.world).__module__, *parts)
-        return replace(self, code=code)
+        kind = self.world.partition(":")[0]
+        code = code_version("reibench.rollout", worlds.get(kind).__module__, *parts)
+        return replace(self, code=code, world=resolve_world(self.world))
 
     def check(self) -> None:
         """Refuse unknown names before anything is loaded; raises UnknownName."""
         planners.get(self.planner)
         methods.get(self.method)
-        worlds.get(self.world)
+        resolve_world(self.world)
         rules_called(self.rules)
 
 
@@ -74,9 +77,10 @@ def needs_model(planner: str) -> bool:
     return not getattr(planners.get(planner), "reads_goal", False)
 
 
-def make_world(spec: RunSpec) -> World:
-    """Make the world a run is played in."""
-    return worlds.create(spec.world, rules=rules_called(spec.rules))
+def make_world(spec: RunSpec, *, frames: bool = False, announce: Announce = silently) -> World:
+    """Make the world a run is played in, which renders `frames` if it can."""
+    rules = rules_called(spec.rules)
+    return create_world(spec.world, rules, frames=frames, announce=announce)
 
 
 def make_planner(spec: RunSpec, episode: Episode, backend: Backend | None) -> Planner:

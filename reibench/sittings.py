@@ -18,10 +18,16 @@ from reibench.skill import Skill, parse_skill
 from reibench.store import Entry, Store
 from reibench.watching import Sitting, Watching
 from reibench.worlds import World
+from reibench.worlds.naming import renders, resolve_world
+from reibench.worlds.preparing import Preparation
 
 PERSON = "person"
 WORLDS_KEPT = 64
 """Worlds kept ready for visitors who may click again; others are rebuilt by replay."""
+PROCESSES_KEPT = 4
+"""The same for worlds that are a process each."""
+IDLE = 600.0
+"""Seconds after which a world that nobody uses is given up."""
 
 
 @dataclass
@@ -47,8 +53,11 @@ class Sittings:
         self.episodes: Mapping[str, Episode] = {each.id: each for each in episodes}
         self._store = store
         self._open_model = open_model
-        self._spec = spec or RunSpec()
-        self._live: Pool[_Live] = Pool(WORLDS_KEPT, lambda live: live.world.close())
+        spec = spec or RunSpec()
+        self._spec = replace(spec, world=resolve_world(spec.world))
+        self._preparation = Preparation(self._spec.world)
+        size = PROCESSES_KEPT if renders(self._spec.world) else WORLDS_KEPT
+        self._live: Pool[_Live] = Pool(size, lambda live: live.world.close(), idle=IDLE)
         self._watching = Watching(store, open_model, self._spec)
 
     # acting oneself
@@ -59,12 +68,13 @@ class Sittings:
         if not afresh:
             for entry in reversed(self._entries(visitor)):
                 if entry.episode == episode_id and entry.actor == PERSON:
-                    if entry.status is None:
+                    if entry.status is None and entry.world == self._spec.world:
                         return self._show(entry.id, visitor)
                     break
         spec = replace(self._spec, planner=PERSON, method="none", model="").versioned()
+        live = self._make(episode, spec)  # first, so that a world that fails leaves no record
         record_id = self._store.begin(spec, episode, actor=PERSON, origin="demo", visitor=visitor)
-        live = self._live.lend(record_id, lambda: self._make(episode)).value
+        self._live.lend(record_id, lambda: live)
         if live.rollout.first_event is not None:
             self._store.started(record_id, live.rollout.first_event)
         return self._show(record_id, visitor)
@@ -163,6 +173,10 @@ class Sittings:
         """Whether the model is loaded already."""
         return self._watching.model_ready(model)
 
+    def close(self) -> None:
+        """Free every world; the database goes on knowing what happened in them."""
+        self._live.close()
+
     # helpers
 
     def episode(self, episode_id: str) -> Episode:
@@ -171,15 +185,22 @@ class Sittings:
             raise unknown("episode", episode_id, self.episodes)
         return self.episodes[episode_id]
 
-    def _make(self, episode: Episode) -> _Live:
-        world = make_world(self._spec)
-        rollout = Rollout(episode, world, max_steps=self._spec.max_steps)
-        rollout.start()
+    def _make(self, episode: Episode, spec: RunSpec) -> _Live:
+        if spec.world == self._spec.world:
+            self._preparation.require()
+        world = make_world(spec, frames=renders(spec.world))
+        rollout = Rollout(episode, world, max_steps=spec.max_steps)
+        try:
+            rollout.start()
+        except ReibenchError:
+            world.close()
+            raise
         return _Live(rollout, world)
 
     def _lease(self, entry: Entry) -> Lease[_Live]:
         def rebuild() -> _Live:
-            live = self._make(self._store.episode_of(entry.id))
+            made = replace(self._spec, world=entry.world, rules=entry.rules)
+            live = self._make(self._store.episode_of(entry.id), made)
             for decision, seconds in self._store.skills_done(entry.id):
                 live.rollout.step(decision, seconds=seconds)
             return live
@@ -218,4 +239,6 @@ class Sittings:
             phase="over" if over else "acting",
             instruction=record.instruction,
             error=record.error,
+            world=entry.world,
+            cameras=self._store.frames.cameras(record.id, len(record.steps)),
         )

@@ -2,6 +2,7 @@
 
 import threading
 from collections.abc import Callable, Iterator
+from contextlib import closing
 from dataclasses import dataclass, replace
 
 from reibench.backends import Backend
@@ -12,7 +13,8 @@ from reibench.rollout import Rollout, Status, Step, drive
 from reibench.run import RunSpec, instruct, make_planner, make_world
 from reibench.skill import Skill
 from reibench.store import Store
-from reibench.worlds import Event
+from reibench.worlds import Camera, Event
+from reibench.worlds.naming import renders
 
 
 @dataclass(frozen=True)
@@ -34,6 +36,9 @@ class Sitting:
     """acting · loading model · restating · planning · over · stopped."""
     instruction: Instruction | None = None
     error: str = ""
+    world: str = "embedded"
+    cameras: tuple[Camera, ...] = ()
+    """Those whose frames are kept for every step."""
 
     @property
     def event(self) -> Event:
@@ -59,12 +64,20 @@ class Watching:
         However it ends, by itself, by `stop`, by an error or because nobody looks any more, the
         record is closed.
         """
-        world = make_world(spec)
+        world = make_world(spec, frames=renders(spec.world))
         rollout = Rollout(episode, world, max_steps=spec.max_steps)
-        start = rollout.start()
+        try:
+            start = rollout.start()
+        except ReibenchError:
+            world.close()
+            raise
         record_id = self._store.begin(spec, episode, origin="demo", visitor=visitor)
         self._store.started(record_id, start)
-        sitting = Sitting(record_id, visitor, episode, spec.actor, start, (), spec.max_steps, None)
+        sitting = replace(
+            Sitting(record_id, visitor, episode, spec.actor, start, (), spec.max_steps, None),
+            world=spec.world,
+            cameras=tuple(frame.camera for frame in start.frames),
+        )
         error = f"{spec.actor} was left before its end"
         try:
             for phase in self._act(record_id, rollout, spec, self._stops.get(visitor, 0)):
@@ -116,10 +129,10 @@ class Watching:
             spec = replace(self._spec, planner="expert", method="none", model="")
             world = make_world(spec)
             rollout = Rollout(episode, world, max_steps=spec.max_steps)
-            rollout.start()
-            told = instruct(spec, episode, None)
-            steps = list(drive(rollout, make_planner(spec, episode, None), told))
-            world.close()
+            with closing(world):
+                rollout.start()
+                told = instruct(spec, episode, None)
+                steps = list(drive(rollout, make_planner(spec, episode, None), told))
             self._solutions[episode.id] = tuple(
                 step.decision.skill for step in steps if step.event.success
             )

@@ -6,9 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from reibench.__main__ import main
 from reibench.backends.scripted import ScriptedBackend
 from reibench.dataset.files import shipped_episodes
 from reibench.episode import Episode
+from reibench.household import room_names
 from reibench.methods import Instruction
 from reibench.planners import Decision
 from reibench.planners.expert import Expert
@@ -83,3 +85,20 @@ def shared_data() -> Path:
             pytest.fail(f"CI needs {folder}; set REIBENCH_SHARED to where the real files are")
         pytest.skip(f"no real AI2-THOR files at {folder}; REIBENCH_SHARED says where they are")
     return folder
+
+
+@pytest.fixture(scope="session")
+def imported(shared_data, tmp_path_factory) -> Path:
+    """Import every real room into a folder of its own, by the command."""
+    folder = tmp_path_factory.mktemp("rooms")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("REIBENCH_ROOMS", str(folder))
+        assert main(["import", "ithor", str(shared_data / "ithor")]) == 0
+    return folder
+
+
+@pytest.fixture
+def real_rooms(imported, monkeypatch) -> tuple[str, ...]:
+    """Make the real rooms known by name, and return their names."""
+    monkeypatch.setenv("REIBENCH_ROOMS", str(imported))
+    return tuple(name for name in room_names() if name.startswith("FloorPlan"))

@@ -11,7 +11,7 @@ ROOT = Path(__file__).parents[1]
 ONLY_IN = {
     "gradio": ("app.py", "reibench/pages/"),
     "fastapi": ("app.py",),
-    "ai2thor": ("reibench/worlds/ai2thor.py",),
+    "ai2thor": ("reibench/worlds/ai2thor/client.py",),
     "torch": ("reibench/backends/transformers.py",),
     "transformers": ("reibench/backends/transformers.py",),
     "xllamacpp": ("reibench/backends/llama_cpp.py",),

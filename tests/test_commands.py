@@ -164,3 +164,24 @@ def test_a_killed_run_resumes_without_repeating(tmp_path):
     assert (row["episodes"], row["success"], row["unfinished"]) == (54, 54, 0)
     finished_before = int(again.stderr.split("54 episodes, ")[1].split()[0])
     assert finished_before >= 5
+
+
+def test_frames_are_kept_when_asked_for_and_replay_uses_the_records_own_world(tmp_path, capsys):
+    database = str(tmp_path / "a.db")
+    common = ["--db", database, "--episodes", "heat_potato.mixed-noised"]
+    run = ["run", "--planner", "expert", "--world", "ai2thor:stand-in", *common]
+    assert main([*run, "--frames"]) == 0
+    out = capsys.readouterr()
+    assert "ai2thor:stand-in (protocol-verified)" in out.out
+    assert "expert (protocol-verified): 1 episodes" in out.err
+    [folder] = (tmp_path / "a.db-frames").iterdir()
+    assert len(list(folder.glob("*-robot.png"))) == len(list(folder.glob("*-above.png"))) == 13
+    for world in ([], ["--world", "embedded"]):
+        assert main(["replay", "--verify", "--db", database, *world]) == 0
+        assert "1 records, 12 steps replayed: 1 came out the same" in capsys.readouterr().out
+
+
+def test_frames_of_a_world_without_cameras_are_a_mistake(tmp_path, capsys):
+    arguments = ["--planner", "expert", "--frames", "--db", str(tmp_path / "a.db")]
+    assert main(["run", *arguments]) == 2
+    assert "embedded renders no frames" in capsys.readouterr().err

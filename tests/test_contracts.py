@@ -12,6 +12,7 @@ from reibench.rollout import Rollout, drive
 from reibench.run import RunSpec, instruct, make_planner, make_world, needs_model
 from reibench.skill import SKILLS
 from reibench.worlds import worlds
+from reibench.worlds.naming import create_world
 
 ANSWERS = [" find a potato", " pick up the potato", " done"]
 
@@ -56,9 +57,25 @@ def test_every_planner_works_with_every_method(planner, method, episode, obligin
     assert rollout.said_done or rollout.exhausted
 
 
-@pytest.mark.parametrize("name", worlds.names())
-def test_every_world_starts_the_same_each_time_and_refuses_without_breaking(name, episode):
-    world = worlds.create(name)
+WORLDS = [
+    pytest.param("embedded", {}, id="embedded"),
+    pytest.param("ai2thor:stand-in", {"REIBENCH_UNITY_SERVER": "fifo"}, id="fifo"),
+    pytest.param("ai2thor:stand-in", {"REIBENCH_UNITY_SERVER": "wsgi"}, id="wsgi"),
+]
+"""Every kind of world, in the variant that runs anywhere, with its settings."""
+
+
+def test_every_kind_of_world_is_under_contract():
+    assert {world.values[0].partition(":")[0] for world in WORLDS} == set(worlds.names())
+
+
+@pytest.mark.parametrize(("name", "settings"), WORLDS)
+def test_every_world_starts_the_same_each_time_and_refuses_without_breaking(
+    name, settings, episode, monkeypatch
+):
+    for variable, value in settings.items():
+        monkeypatch.setenv(variable, value)
+    world = create_world(name)
     first, again = world.reset(episode.task), world.reset(episode.task)
     assert first == again
     assert world.skills == SKILLS

@@ -1,7 +1,7 @@
 """Options that several commands share."""
 
 import os
-from argparse import ArgumentParser, Namespace
+from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter
 from math import sqrt
 from pathlib import Path
 
@@ -9,6 +9,7 @@ from reibench.dataset.files import read_episodes, shipped_episodes
 from reibench.dataset.sample import select
 from reibench.episode import Episode
 from reibench.errors import ReibenchError, StoreUnavailable
+from reibench.worlds.naming import world_settings
 
 
 def add_episodes(command: ArgumentParser) -> None:
@@ -27,6 +28,25 @@ def add_database(command: ArgumentParser) -> None:
 def add_json(command: ArgumentParser) -> None:
     """Add the option that asks for JSON."""
     command.add_argument("--json", action="store_true", help="print JSON")
+
+
+def add_world(command: ArgumentParser, default: str, without: str = "") -> None:
+    """Add the option that names the world; `without` says what is used if it is not given."""
+    command.add_argument(
+        "--world",
+        default=default,
+        help="embedded, ai2thor, ai2thor:stand-in, ai2thor:PATH or ai2thor:BUILD"
+        f" (default: {without or '%(default)s'})",
+    )
+    command.formatter_class = RawDescriptionHelpFormatter
+    command.epilog = "The ai2thor world is set up by environment variables:\n" + "\n".join(
+        f"  {name:<30} {meaning}" for name, meaning in world_settings().items()
+    )
+
+
+def default_world() -> str:
+    """Return the world used unless another is named."""
+    return os.environ.get("REIBENCH_WORLD", "embedded")
 
 
 def chosen_episodes(arguments: Namespace) -> list[Episode]:

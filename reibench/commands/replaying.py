@@ -1,9 +1,10 @@
 """`replay`: play records again, and verify that they come out the same."""
 
 from argparse import ArgumentParser, Namespace
+from contextlib import closing
 from dataclasses import asdict
 
-from reibench.commands.options import add_database, add_json, existing_database
+from reibench.commands.options import add_database, add_json, add_world, existing_database
 from reibench.commands.output import say, say_json, tell
 from reibench.replay import Replay, replay
 from reibench.rollout import Record
@@ -15,7 +16,7 @@ def add(command: ArgumentParser) -> None:
     """Add the command's options."""
     command.add_argument("record", nargs="?", default="all", help="a record's id, or all")
     command.add_argument("--verify", action="store_true", help="exit 1 if anything differs")
-    command.add_argument("--world", default="embedded")
+    add_world(command, "", without="the world each record was made in")
     add_database(command)
     add_json(command)
     command.set_defaults(command=replay_command)
@@ -44,9 +45,9 @@ def replay_command(arguments: Namespace) -> int:
 
 def _replay(store: Store, entry: Entry, arguments: Namespace) -> Replay:
     record = store.record(entry.id)
-    world = make_world(RunSpec(rules=entry.rules, world=arguments.world))
-    result = replay(record, world)
-    world.close()
+    spec = RunSpec(rules=entry.rules, world=arguments.world or entry.world)
+    with closing(make_world(spec, announce=tell)) as world:
+        result = replay(record, world)
     if arguments.record != "all" and not arguments.json:
         _print_steps(record)
     for difference in result.differences:

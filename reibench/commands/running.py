@@ -10,7 +10,14 @@ from filelock import FileLock, Timeout
 
 from reibench.backends import Backend
 from reibench.backends.opening import open_backend
-from reibench.commands.options import add_database, add_episodes, add_json, chosen_episodes
+from reibench.commands.options import (
+    add_database,
+    add_episodes,
+    add_json,
+    add_world,
+    chosen_episodes,
+    default_world,
+)
 from reibench.commands.output import tell
 from reibench.commands.scoring import print_scores
 from reibench.episode import Episode
@@ -20,6 +27,7 @@ from reibench.rollout import MAX_STEPS
 from reibench.run import RunSpec, evaluate, make_world, needs_model
 from reibench.store import Store
 from reibench.verdict import error_kind
+from reibench.worlds.naming import check_world, renders, verified
 
 
 def add(command: ArgumentParser) -> None:
@@ -29,7 +37,10 @@ def add(command: ArgumentParser) -> None:
         "--model", help="llama-cpp:NAME, llama-cpp:FILE.gguf … (default: the best that is here)"
     )
     command.add_argument("--method", default="none", help="none, tocc …; several with commas")
-    command.add_argument("--world", default="embedded")
+    add_world(command, default_world())
+    command.add_argument(
+        "--frames", action="store_true", help="keep what cameras see, as files beside the database"
+    )
     command.add_argument("--rules", default="strict", help="strict or official")
     command.add_argument("--max-steps", type=int, default=MAX_STEPS)
     command.add_argument("--seed", type=int, default=0, help="added to each episode's own seed")
@@ -58,13 +69,16 @@ def run_command(arguments: Namespace) -> int:
     ]
     for spec in specs:
         spec.check()
+    check_world(arguments.world)
+    if arguments.frames and not renders(arguments.world):
+        raise ReibenchError(f"The world {arguments.world} renders no frames; ai2thor does.")
     specs = [spec.versioned() for spec in specs]
     chosen = chosen_episodes(arguments)
     store = Store(arguments.db)
     backend = open_backend(specs[0].model) if specs[0].model else None
     for spec in specs:
         with _alone(spec, store):
-            _run(spec, chosen, backend, store)
+            _run(spec, chosen, backend, store, frames=arguments.frames)
     ids = {spec.id for spec in specs}
     return print_scores(arguments, store, ids)
 
@@ -84,11 +98,19 @@ def _alone(spec: RunSpec, store: Store) -> Iterator[None]:
         ) from None
 
 
-def _run(spec: RunSpec, chosen: list[Episode], backend: Backend | None, store: Store) -> None:
+def _run(
+    spec: RunSpec,
+    chosen: list[Episode],
+    backend: Backend | None,
+    store: Store,
+    *,
+    frames: bool,
+) -> None:
     before = store.finished(spec)
     left = [episode for episode in chosen if episode.id not in before]
-    tell(f"{spec.actor}: {len(chosen)} episodes, {len(chosen) - len(left)} finished before")
-    world = make_world(spec)
+    note = f" ({verified(spec.world)})" if verified(spec.world) else ""
+    tell(f"{spec.actor}{note}: {len(chosen)} episodes, {len(chosen) - len(left)} finished before")
+    world = make_world(spec, frames=frames, announce=tell)
     begun = perf_counter()
     for number, record in enumerate(evaluate(spec, left, backend, world, store), start=1):
         taken = perf_counter() - begun

@@ -4,15 +4,21 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
+from reibench.errors import UnknownName
 from reibench.household.actions import Action, Refused, known_actions
 from reibench.household.effects import take_effect
-from reibench.household.metadata import agent_metadata
+from reibench.household.metadata import agent_metadata, object_metadata
 from reibench.household.rooms import Room, load_room
+from reibench.household.scenes import room_name
 from reibench.household.state import Moment, Settings, State
 from reibench.scene import Scene, Vector
 
 MISUSE = frozenset(("InvalidAction", "MissingArguments", "AmbiguousAction", "InvalidArgument"))
 """Error codes at which AI2-THOR's client raises."""
+
+
+class Misuse(ValueError):
+    """No such action, or arguments it does not take; AI2-THOR's client raises ValueError."""
 
 
 @dataclass(frozen=True)
@@ -29,14 +35,18 @@ class Event:
     moment: Moment = field(repr=False)
     time: int
     """How many actions had been carried out since the room was set up."""
-    screen: tuple[int, int] = (300, 300)
 
     @cached_property
     def metadata(self) -> dict[str, Any]:
         """AI2-THOR 5's metadata of the moment after the action, made when first asked for."""
-        width, height = self.screen
-        found = agent_metadata(self.moment, width=width, height=height)
-        return found | {
+        moment = self.moment
+        return {"objects": [object_metadata(moment, one) for one in moment.scene.objects]} | (
+            self.bare_metadata()
+        )
+
+    def bare_metadata(self) -> dict[str, Any]:
+        """Return the metadata without the objects."""
+        return agent_metadata(self.moment) | {
             "lastAction": self.action,
             "lastActionSuccess": self.success,
             "errorMessage": self.message,
@@ -65,10 +75,10 @@ class Controller:
             UnknownName: when there is no such room.
             InvalidRoom: when its file is damaged.
         """
-        self._screen = width, height
         self._actions = known_actions()
-        self._room = scene if isinstance(scene, Room) else load_room(scene)
-        self._state = State(self._room, Settings(gridSize, visibilityDistance, fieldOfView))
+        self._room = scene if isinstance(scene, Room) else load_room(room_name(scene))
+        screen = width, height
+        self._state = State(self._room, Settings(gridSize, visibilityDistance, fieldOfView, screen))
         self.last_event = self.reset()
 
     @property
@@ -79,7 +89,7 @@ class Controller:
     def reset(self, scene: str | Room | None = None) -> Event:
         """Start afresh, in another room if `scene` names or is one."""
         if scene is not None:
-            self._room = scene if isinstance(scene, Room) else load_room(scene)
+            self._room = scene if isinstance(scene, Room) else load_room(room_name(scene))
         self._state = State(self._room, self._state.settings)
         take_effect(self._state)
         return self._event("Reset")
@@ -88,8 +98,8 @@ class Controller:
         """Carry out an action; one that cannot be done is an event without success.
 
         Raises:
-            ValueError: when there is no such action, or its arguments are not as they should be,
-                like AI2-THOR's client; `last_event` then says so too.
+            Misuse: when there is no such action, or its arguments are not as they should be; a
+                ValueError, as AI2-THOR's client raises; `last_event` then says so too.
         """
         if not isinstance(action, str):
             arguments = {**action, **arguments}
@@ -97,8 +107,8 @@ class Controller:
         known = self._actions.get(action)
         if known is None:
             if action == "Reset":
-                return self.reset(arguments.get("sceneName"))
-            raise self._misuse(action, "InvalidAction", f"Invalid action: {action!r}.")
+                return self._reset_to(arguments.get("sceneName"))
+            raise self._misuse(action, "InvalidAction", f"Invalid action: {action}")
         self._check_arguments(known, arguments)
         return self._carry_out(known, arguments)
 
@@ -116,6 +126,12 @@ class Controller:
     def reachable(self) -> tuple[Vector, ...]:
         """Return the grid positions the robot can get to."""
         return self._state.floor.points
+
+    def _reset_to(self, scene: str | Room | None) -> Event:
+        try:
+            return self.reset(scene)
+        except UnknownName as error:
+            raise self._misuse("Reset", "InvalidArgument", str(error)) from None
 
     def _carry_out(self, known: Action, arguments: dict[str, Any]) -> Event:
         state = self._state
@@ -140,13 +156,19 @@ class Controller:
             message += f" It takes: {could}."
             raise self._misuse(known.name, "InvalidArgument", message)
         if not known.required.issubset(arguments):
-            missing = ", ".join(sorted(known.required - set(arguments)))
-            message = f"Missing arguments for action {known.name}: {missing}."
+            missing = ",".join(sorted(known.required - set(arguments)))
+            message = f"action: {known.name} is missing the following arguments: {missing}"
             raise self._misuse(known.name, "MissingArguments", message)
+        for name, value in arguments.items():
+            kind = known.kinds.get(name)
+            if kind is not None and not kind.takes(value):
+                message = f"action: {known.name} has an invalid argument: {name} (=={value!r})."
+                message += f" Cannot convert to: {kind.name}"
+                raise self._misuse(known.name, "InvalidArgument", message)
 
-    def _misuse(self, action: str, code: str, message: str) -> ValueError:
+    def _misuse(self, action: str, code: str, message: str) -> Misuse:
         self._event(action, message, code)
-        return ValueError(message)
+        return Misuse(message)
 
     def _event(
         self, action: str, message: str = "", code: str = "", answer: object = None
@@ -159,6 +181,5 @@ class Controller:
             answer,
             self._state.moment(),
             self._state.time,
-            self._screen,
         )
         return self.last_event

@@ -3,20 +3,32 @@
 import json
 import re
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from reibench.errors import InvalidRoom
-from reibench.household.floor import STANDING
-from reibench.household.geometry import footprint
+from reibench.errors import InvalidRoom, UnknownName
+from reibench.household.floor import RADIUS, WalkableFloor
+from reibench.household.geometry import Footprint, footprint
 from reibench.household.metadata import scene_from_metadata
 from reibench.household.objects import object_type
 from reibench.household.particulars import Particulars
 from reibench.household.rooms import Room
 from reibench.scene import Box, Pose, Scene, SceneObject, Vector
 
+NOWHERE = Pose(Vector(0.0, 0.0, 0.0), 0.0)
 KINDS = {0: "kitchen", 2: "living room", 3: "bedroom", 4: "bathroom"}
 """Kinds of iTHOR's rooms by the hundreds of their number."""
+NOT_MODELLED = {
+    "visible": "depends on where the robot stood, which a dump does not say",
+    "isInteractable": "depends on where the robot stood",
+    "distance": "depends on where the robot stood",
+    "isMoving": "how things were settling when the dump was made; nothing moves by itself here",
+}
+"""Keys of object metadata that do not come out of a room as they were read, and why.
+
+Every other key comes out exactly as it went in: same value, same order, to the last digit.
+"""
 STANDING_KEY = "reachablePositions"
 """Key of a dump, beside the objects' ids, for where the robot can stand."""
 
@@ -44,16 +56,18 @@ def room_from_dump(name: str, content: object) -> Room:
     if not described:
         raise InvalidRoom("there is no object metadata in it.")
     scene = scene_from_metadata(described)
-    for thing in scene.objects:
-        object_type(thing.type)
-    bounds = _bounds(scene)
+    _check(scene)
     try:
-        return Room(
+        standing = tuple(
+            Vector(float(point["x"]), float(point["y"]), float(point["z"]))
+            for point in content.get(STANDING_KEY, ())
+        )
+        room = Room(
             name=name,
             kind=_kind(name, scene),
-            bounds=bounds,
+            bounds=_bounds(scene, standing),
             objects=scene.objects,
-            start=Pose(Vector(bounds.center.x, STANDING, bounds.center.z), 0.0, 30.0),
+            start=NOWHERE,
             controls={
                 each["objectId"]: tuple(each["controlledObjects"])
                 for each in described.values()
@@ -67,13 +81,20 @@ def room_from_dump(name: str, content: object) -> Room:
             particulars={
                 thing.id: _particulars(described[thing.id], thing) for thing in scene.objects
             },
-            standing=tuple(
-                Vector(float(point["x"]), float(point["y"]), float(point["z"]))
-                for point in content.get(STANDING_KEY, ())
-            ),
+            standing=standing,
         )
     except (KeyError, TypeError, ValueError) as error:
         raise InvalidRoom(f"a value is missing or of the wrong form ({error!r}).") from None
+    return replace(room, start=_start(room))
+
+
+def _check(scene: Scene) -> None:
+    try:
+        types = {object_type(thing.type).name for thing in scene.objects}
+    except UnknownName as error:
+        raise InvalidRoom(str(error)) from None
+    if "Floor" not in types or len(types) == 1:
+        raise InvalidRoom("a room has a floor and something on it.")
 
 
 def _is_object(value: object) -> bool:
@@ -106,9 +127,21 @@ def _particulars(each: Mapping[str, Any], thing: SceneObject) -> Particulars:
     )
 
 
-def _bounds(scene: Scene) -> Box:
-    """Return the inside of the walls: as far as anything goes, but not beyond the floor."""
+def _start(room: Room) -> Pose:
+    """Return the place to start from: in the middle of the largest part of the floor."""
+    walkable = WalkableFloor(room.bounds, (), None, solids=room.solids())
+    points = room.standing or walkable.points
+    if not points:
+        raise InvalidRoom("there is nowhere in it to stand.")
+    x, _, z = room.bounds.center
+    nearest = min(points, key=lambda point: (point.x - x) ** 2 + (point.z - z) ** 2)
+    return Pose(nearest, 0.0, 30.0)
+
+
+def _bounds(scene: Scene, standing: tuple[Vector, ...]) -> Box:
+    """Return the inside of the walls: as far as anything goes but the floor, whose box is wide."""
     areas = [footprint(thing.box) for thing in scene.objects if thing.type != "Floor"]
+    areas += [Footprint(x, x, z, z, x, z).grown(RADIUS) for x, _, z in standing]
     left, right = min(a.left for a in areas), max(a.right for a in areas)
     near, far = min(a.near for a in areas), max(a.far for a in areas)
     middle = Vector((left + right) / 2, 1.5, (near + far) / 2)

@@ -6,9 +6,11 @@ from struct import Struct
 from typing import Any
 
 from reibench.errors import InvalidRoom
+from reibench.household.cameras import camera_metadata
 from reibench.household.geometry import forward, volume
 from reibench.household.objects import object_type
 from reibench.household.particulars import Particulars, usual
+from reibench.household.scenes import room_name, scene_name
 from reibench.household.state import HAND_DISTANCE, HAND_HEIGHT, Moment
 from reibench.scene import Box, Pose, Scene, SceneObject, Vector
 
@@ -18,12 +20,11 @@ NOWHERE = {"x": 0.0, "y": 0.0, "z": 0.0}
 Metadata = dict[str, Any]
 
 
-def agent_metadata(moment: Moment, *, width: int = 300, height: int = 300) -> Metadata:
-    """Return all that AI2-THOR reports of a moment, but for how the last action went."""
+def agent_metadata(moment: Moment) -> Metadata:
+    """Return what AI2-THOR reports of a moment, but for objects and how the last action went."""
     scene, pose = moment.scene, moment.agent
-    held = scene.held
+    held, (width, height) = scene.held, moment.settings.screen
     return {
-        "objects": [object_metadata(moment, thing) for thing in scene.objects],
         "isSceneAtRest": True,
         "agent": {
             "name": "agent",
@@ -35,14 +36,14 @@ def agent_metadata(moment: Moment, *, width: int = 300, height: int = 300) -> Me
         },
         "heldObjectPose": _hand(pose),
         "arm": None,
-        "fov": moment.field_of_view,
-        "cameraPosition": _point(_camera(pose)),
+        "fov": moment.settings.field_of_view,
+        "cameraPosition": _point(camera_position(pose)),
         "cameraOrthSize": 0.0,
-        "thirdPartyCameras": [],
+        "thirdPartyCameras": [camera_metadata(*each) for each in enumerate(moment.cameras)],
         "collided": False,
         "collidedObjects": [],
         "inventoryObjects": [{"objectId": held.id, "objectType": held.type}] if held else [],
-        "sceneName": scene.room,
+        "sceneName": scene_name(scene.room),
         "screenWidth": width,
         "screenHeight": height,
         "agentId": 0,
@@ -61,8 +62,6 @@ def object_metadata(moment: Moment, thing: SceneObject) -> Metadata:
     own = room.particulars.get(thing.id) or usual(object_type(thing.type), thing)
     # Boxes are replaced, never changed: the same one has not been moved.
     at_home = room.particulars and room.by_id.get(thing.id, thing).box is thing.box
-    (x, y, z), here = thing.position, moment.agent.position
-    distance = ((x - here.x) ** 2 + (y - here.y) ** 2 + (z - here.z) ** 2) ** 0.5
     seen = thing.id in moment.scene.visible
     in_order = own.parents if sorted(own.parents) == sorted(thing.parents) else thing.parents
     return {
@@ -74,7 +73,7 @@ def object_metadata(moment: Moment, thing: SceneObject) -> Metadata:
         "rotation": _turn(thing.yaw, *(own.tilt if at_home else ())),
         "visible": seen,
         "isInteractable": seen,
-        "distance": distance,
+        "distance": distance_between(thing.position, moment.agent.position),
         "receptacle": thing.receptacle,
         "receptacleObjectIds": None if thing.contents is None else list(thing.contents),
         "parentReceptacles": list(in_order) or None,
@@ -92,6 +91,12 @@ def object_metadata(moment: Moment, thing: SceneObject) -> Metadata:
         "axisAlignedBoundingBox": _box(thing.box),
         "objectOrientedBoundingBox": _oriented(thing, own) if at_home else _around(thing),
     }
+
+
+def distance_between(point: Vector, other: Vector) -> float:
+    """Return how far two points are apart, in metres."""
+    (x, y, z), (other_x, other_y, other_z) = point, other
+    return float(((x - other_x) ** 2 + (y - other_y) ** 2 + (z - other_z) ** 2) ** 0.5)
 
 
 def _states(thing: SceneObject) -> Metadata:
@@ -142,7 +147,7 @@ def _read(metadata: Mapping[str, Any]) -> Scene:
     agent = metadata.get("agent")
     bounds = metadata.get("sceneBounds")
     return Scene(
-        room=str(metadata.get("sceneName", "")).removesuffix("_physics"),
+        room=room_name(str(metadata.get("sceneName", ""))),
         objects=objects,
         agent=_read_pose(agent) if agent else Pose(Vector(0.0, 0.0, 0.0), 0.0),
         visible=frozenset(each["objectId"] for each in described if each["visible"]),
@@ -212,7 +217,8 @@ def _turn(yaw: float, x: float = 0.0, z: float = 0.0) -> dict[str, float]:
     return {"x": x, "y": yaw, "z": z}
 
 
-def _camera(pose: Pose) -> Vector:
+def camera_position(pose: Pose) -> Vector:
+    """Return where the robot's eye is."""
     return pose.position._replace(y=pose.position.y + (CAMERA if pose.standing else 0.0))
 
 

@@ -33,6 +33,8 @@ THIN = 0.04
 
 Rank = Callable[[float, float], float]
 """Says how good a place (x, z) is; lower is better."""
+Surface = Callable[[Box], bool]
+"""Says whether something of that box would be held, not in the gap of a counter's box."""
 
 
 class Spot(NamedTuple):
@@ -48,11 +50,13 @@ def free_spot(
     receptacle: SceneObject,
     rank: Rank,
     area: Footprint | None = None,
+    *,
+    holds: Surface | None = None,
 ) -> Spot | None:
     """Return the free spot for `thing` in or on `receptacle` whose middle ranks lowest.
 
     The size of `thing` is how it naturally lies; `area` narrows the search to a part of the
-    receptacle. None means there is no room left.
+    receptacle, `holds` to where it really is. None means there is no room left.
     """
     if receptacle.type in SINGLE and receptacle.contents:
         return None
@@ -64,6 +68,8 @@ def free_spot(
         for level in _levels(receptacle, size.y):
             for x, z in _grid(area, size, rank):
                 box = Box(Vector(x, level + size.y / 2, z), size)
+                if holds is not None and not holds(box):
+                    continue
                 if not any(_overlap(box, other) for other in occupied):
                     return Spot(box.center, size)
     return None

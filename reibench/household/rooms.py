@@ -3,19 +3,21 @@
 import json
 import os
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import Any
 
 from reibench.errors import InvalidRoom, UnknownName, unknown
 from reibench.household.entries import describe_object, exact, read_box, read_object, rounded
-from reibench.household.floor import WalkableFloor
+from reibench.household.floor import GRID, Solid, SurveyedFloor, WalkableFloor
 from reibench.household.geometry import Footprint, footprint
+from reibench.household.objects import SURFACES
 from reibench.household.particulars import Particulars
 from reibench.household.particulars import describe as describe_particulars
 from reibench.household.particulars import read as read_particulars
+from reibench.household.solids import holds, shapes, solids
 from reibench.scene import Box, Pose, SceneObject, Vector
 
 PROJECT = Path(__file__).parents[2]
@@ -56,7 +58,28 @@ class Room:
     @cached_property
     def floor(self) -> WalkableFloor:
         """Where the robot can walk, on the usual grid."""
-        return WalkableFloor(self.bounds, self.objects, self.start.position)
+        if self.standing:
+            return SurveyedFloor(self.bounds, self.solids() or (), self.standing)
+        return self.floor_of(GRID)
+
+    def floor_of(self, grid: float) -> WalkableFloor:
+        """Return where the robot can walk on a grid of that many metres."""
+        start = self.start.position
+        return WalkableFloor(self.bounds, self.objects, start, grid, solids=self.solids())
+
+    def surface(self, name: str) -> Callable[[Box], bool] | None:
+        """Return what says whether things stay on an object; None where its box says it."""
+        thing = self.by_id.get(name)
+        if not self.particulars or thing is None or thing.type not in SURFACES:
+            return None
+        parts = shapes(thing, self.objects, self.particulars, self.bounds)
+        return partial(holds, parts)
+
+    def solids(self) -> list[tuple[str, Solid]] | None:
+        """Return, by object id, where the robot cannot be; None if the boxes say it."""
+        if not self.particulars:
+            return None
+        return solids(self.objects, self.particulars, self.bounds)
 
     @property
     def reachable(self) -> tuple[Vector, ...]:

@@ -6,6 +6,7 @@ from functools import cached_property
 from operator import attrgetter
 from typing import Any
 
+from reibench.household.cameras import Camera
 from reibench.household.floor import GRID, WalkableFloor
 from reibench.household.geometry import Footprint, Sight, footprint, forward, shifted
 from reibench.household.objects import SOURCES
@@ -30,6 +31,8 @@ class Settings:
     """Metres within which things are visible and can be acted on, measured horizontally."""
     field_of_view: float = 90.0
     """Degrees."""
+    screen: tuple[int, int] = (300, 300)
+    """Width and height of frames, in pixels."""
 
 
 @dataclass(frozen=True)
@@ -44,7 +47,9 @@ class Moment:
     """How far what is open is open, 0 to 1, where that is neither."""
     agent: Pose
     sight: Sight
-    field_of_view: float
+    settings: Settings
+    cameras: tuple[Camera, ...] = ()
+    """Third-party cameras, in the order they were hung up."""
 
     @cached_property
     def scene(self) -> Scene:
@@ -80,6 +85,7 @@ class State:
         """When each hot or cold thing was last kept so."""
         self.time = 0
         self.sources = [thing.id for thing in room.objects if thing.type in SOURCES]
+        self.cameras: tuple[Camera, ...] = ()
         self.agent = room.start
         self._moment: Moment | None = None
 
@@ -102,8 +108,7 @@ class State:
         """Where the robot can walk, on the grid asked for."""
         if self.settings.grid == GRID:
             return self.room.floor
-        start = self.room.start.position
-        return WalkableFloor(self.room.bounds, self.room.objects, start, self.settings.grid)
+        return self.room.floor_of(self.settings.grid)
 
     def configure(self, settings: Settings) -> None:
         """Behave as `settings` say from now on."""
@@ -121,9 +126,14 @@ class State:
                 self.openness,
                 self._agent,
                 self.sight,
-                self.settings.field_of_view,
+                self.settings,
+                self.cameras,
             )
         return self._moment
+
+    def forget_moment(self) -> None:
+        """Have the next moment made anew, because something in it has changed."""
+        self._moment = None
 
     def sees(self, name: str) -> bool:
         """Whether the robot sees that object."""
@@ -134,10 +144,13 @@ class State:
         return [thing for thing in self.objects.values() if thing.type == object_type]
 
     def inside(self, name: str) -> Iterator[SceneObject]:
-        """Go through all that is in or on an object, however deep."""
+        """Go through all that is in or on an object, however deep, and can be taken out.
+
+        Real rooms list what is built in too: a counter "in" the cup that stands on it.
+        """
         seen, left = {name}, list(self.objects[name].contents or ())
         for inner in left:
-            if inner not in seen and inner in self.objects:
+            if inner not in seen and self.objects[inner].pickupable:
                 seen.add(inner)
                 yield self.objects[inner]
                 left += self.objects[inner].contents or ()
@@ -177,6 +190,7 @@ class State:
     def take(self, name: str) -> None:
         """Put an object into the robot's hand, from wherever it is."""
         self._leave(name)
+        self._shed(name)
         self.held = name
         self.move(name, self._hand(), parents=(), held=True)
 
@@ -217,6 +231,16 @@ class State:
         for parent in self.objects[name].parents:
             contents = self.objects[parent].contents or ()
             self.change(parent, contents=tuple(one for one in contents if one != name))
+
+    def _shed(self, name: str) -> None:
+        """Strike what is built in from the contents of something that is taken away."""
+        contents = self.objects[name].contents or ()
+        built_in = [inner for inner in contents if not self.objects[inner].pickupable]
+        for inner in built_in:
+            parents = self.objects[inner].parents
+            self.change(inner, parents=tuple(one for one in parents if one != name))
+        if built_in:
+            self.change(name, contents=tuple(one for one in contents if one not in built_in))
 
     def _hand(self) -> Vector:
         (x, _, z), yaw = self._agent.position, self._agent.yaw

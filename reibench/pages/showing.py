@@ -56,7 +56,7 @@ class Showing:
             return side_screen(setting, own.start, (plain, told), notice=notice)
         run = told if ask.actor == "tocc" else plain
         ready = self._sittings.model_ready(model)
-        return model_screen(setting, ask.actor, own.start, run, ready=ready, notice=notice)
+        return model_screen(setting, ask.actor, own, run, ready=ready, notice=notice)
 
     def acted(self, visitor: str, ask: Ask, act: Callable[[], Sitting]) -> Screen:
         """Return the page after the visitor acted, and what was in the way if anything."""
@@ -74,7 +74,7 @@ class Showing:
         """Yield what each thing a planner does changes."""
         setting, sitting = self.setting(ask), None
         for sitting in watch:
-            yield model_step(setting, ask.actor, sitting.start, sitting, ready=True)
+            yield model_step(setting, ask.actor, sitting, sitting, ready=True)
         if sitting is not None:  # the model is loaded by now, which the bar should say
             yield Screen(bar=self.setting(ask, sitting).bar(sitting.start, ask.actor))
 

@@ -20,6 +20,7 @@ from reibench.scene import Scene
 from reibench.skill import parse_skill
 from reibench.store import codec
 from reibench.store.database_file import DatabaseFile
+from reibench.store.frames import FrameFolder
 from reibench.store.schema import now
 from reibench.verdict import error_kind
 from reibench.worlds import Event
@@ -39,6 +40,7 @@ class Entry:
     actor: str
     episode: str
     rules: str
+    world: str
     max_steps: int
     status: str | None
     """None while in progress."""
@@ -46,6 +48,11 @@ class Entry:
 
 class Store(DatabaseFile):
     """Runs, records and steps; safe to use from several threads and processes."""
+
+    @property
+    def frames(self) -> FrameFolder:
+        """What cameras saw, for records of worlds that render."""
+        return FrameFolder(self.path)
 
     # writing
 
@@ -77,6 +84,7 @@ class Store(DatabaseFile):
                 ).fetchone()
                 if cut_short:
                     database.execute("delete from steps where record = ?", [cut_short[0]])
+                    self.frames.forget(cut_short[0])
                     database.execute(
                         "update records set attempts = attempts + 1, steps = 0, status = null,"
                         " started = ? where id = ?",
@@ -127,6 +135,7 @@ class Store(DatabaseFile):
         text = codec.dump(codec.scene_to_json(event.scene))
         key = hashlib.sha256(text.encode()).hexdigest()[:16]
         with self.writing() as database:
+            self.frames.keep(record_id, 0, event.frames)
             database.execute("insert or ignore into scenes values (?, ?)", [key, text])
             database.execute(
                 "update records set start_scene = ?, start_goals = ? where id = ?",
@@ -150,6 +159,7 @@ class Store(DatabaseFile):
         prompt = step.decision.prompt
         kept = _common(earlier, prompt)
         with self.writing() as database:
+            self.frames.keep(record_id, step.number, step.event.frames)
             database.execute(
                 "insert into steps values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
                 [
@@ -203,7 +213,8 @@ class Store(DatabaseFile):
     def entries(self, where: str = "1", parameters: Iterable[object] = ()) -> list[Entry]:
         """Return the records that fit a condition over their columns, oldest first."""
         rows = self.query(
-            "select id, run, origin, visitor, actor, episode, rules, max_steps, status"
+            "select id, run, origin, visitor, actor, episode, rules, max_steps, status,"
+            " (select json_extract(spec, '$.world') from runs where runs.id = run) as world"
             f" from records where {where} order by started, rowid",
             parameters,
         )

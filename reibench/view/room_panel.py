@@ -13,12 +13,13 @@ from reibench.view.topbar import room_name
 from reibench.view.words import a, states
 
 
-def room_panel(scenes: Sequence[Scene], *, live: bool = True) -> str:
+def room_panel(scenes: Sequence[Scene], *, live: bool = True, cameras: str = "") -> str:
     """Return the room after the last of `scenes`; the earlier ones decide what stays where.
 
     Args:
         scenes: the room at the start and after each step.
         live: whether things can be acted on.
+        cameras: what cameras see, as markup; nothing where none are.
     """
     scene = scenes[-1]
     layout = arrange(scenes, WIDE)
@@ -30,8 +31,9 @@ def room_panel(scenes: Sequence[Scene], *, live: bool = True) -> str:
     listed = element("div", room_list(scene), class_="roomlist")
     return element(
         "section",
-        _header(scene),
+        _header(scene, pictured=bool(cameras)),
         element("div", box, listed, class_="roomwrap"),
+        cameras,
         element("div", class_="surface", aria_label="Things beside each other"),
         legend(scene, layout),
         class_="room live" if live else "room",
@@ -39,11 +41,11 @@ def room_panel(scenes: Sequence[Scene], *, live: bool = True) -> str:
     )
 
 
-def _header(scene: Scene) -> str:
+def _header(scene: Scene, *, pictured: bool) -> str:
+    ways = ("Plan", "List", "Camera") if pictured else ("Plan", "List")
     plan_or_list = element(
         "div",
-        element("button", "Plan", type="button", role="tab", data_room="plan"),
-        element("button", "List", type="button", role="tab", data_room="list"),
+        *(_tab(way) for way in ways),
         class_="seg sm",
         role="tablist",
         aria_label="How the room is shown",
@@ -65,6 +67,12 @@ def _header(scene: Scene) -> str:
         _zoom("+", "zoom-in", "Zoom in"),
         _zoom("−", "zoom-out", "Zoom out"),
     )
+
+
+def _tab(way: str) -> str:
+    # On narrow screens the pictures are under the plan anyway.
+    hidden = "hide-m" if way == "Camera" else None
+    return element("button", way, type="button", role="tab", data_room=way.lower(), class_=hidden)
 
 
 def _zoom(sign: str, what: str, words: str) -> str:

@@ -8,6 +8,7 @@ from reibench.methods import Instruction
 from reibench.scene import Scene
 from reibench.skill import SKILLS, Skill
 from reibench.view.actor_panel import model_panel, person_panel
+from reibench.view.cameras import camera_strip
 from reibench.view.catalogue import Catalogue
 from reibench.view.dialogue import conversation
 from reibench.view.icons import sprite
@@ -117,7 +118,9 @@ def person_screen(
 def person_step(sitting: Sitting, *, notice: str = "", solution: Sequence[Skill] = ()) -> Screen:
     """Return what a step of one's own changes."""
     return Screen(
-        room=room_panel(scenes_of(sitting), live=sitting.status is None),
+        room=room_panel(
+            scenes_of(sitting), live=sitting.status is None, cameras=camera_strip(sitting)
+        ),
         act=person_panel(sitting, notice=notice, solution=solution),
     )
 
@@ -130,23 +133,23 @@ def planner_name(actor: Actor, method: str) -> str:
 def model_screen(
     setting: Setting,
     actor: Actor,
-    start: Event,
+    own: Sitting,
     run: Sitting | None,
     *,
     ready: bool,
     notice: str = "",
 ) -> Screen:
     """Return the page of a visitor who watches a planner, before, during or after its run."""
-    step = model_step(setting, actor, start, run, ready=ready, notice=notice)
+    step = model_step(setting, actor, own, run, ready=ready, notice=notice)
     return Screen(
-        bar=setting.bar(start, actor), talk=step.talk, room=step.room, act=step.act, stage=""
+        bar=setting.bar(own.start, actor), talk=step.talk, room=step.room, act=step.act, stage=""
     )
 
 
 def model_step(
     setting: Setting,
     actor: Actor,
-    start: Event,
+    own: Sitting,
     run: Sitting | None,
     *,
     ready: bool,
@@ -154,13 +157,14 @@ def model_step(
 ) -> Screen:
     """Return what a planner's step changes."""
     method = METHOD_NAMES[setting.method] if actor == "tocc" else ""
-    scenes = scenes_of(run) if run else [start.scene]
+    scenes = scenes_of(run) if run else [own.start.scene]
+    cameras = camera_strip(run) if run else camera_strip(own, step=0)
     title = planner_name(actor, setting.method)
     panel = model_panel(title, setting.model.name, run, ready=ready, notice=notice)
     told = run.instruction if run else None
     return Screen(
         talk=talk_panel(setting.episode, told, method),
-        room=room_panel(scenes, live=False),
+        room=room_panel(scenes, live=False, cameras=cameras),
         act=panel,
     )
 

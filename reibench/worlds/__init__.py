@@ -1,13 +1,27 @@
 """Worlds: where skills happen. A world sets up a task's room, carries out skills and reports."""
 
-from dataclasses import dataclass
-from typing import Protocol
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Literal, Protocol
 
 from reibench.episode import Task
 from reibench.goals import Condition, satisfied
 from reibench.registry import Registry
 from reibench.scene import Scene
 from reibench.skill import Skill
+
+Camera = Literal["robot", "above"]
+"""Where a frame is taken from: the robot's eye, or over the room, looking down."""
+Announce = Callable[[str], object]
+"""Told what takes long before a world can be used, e.g. a download."""
+
+
+@dataclass(frozen=True)
+class Frame:
+    """What a camera saw."""
+
+    camera: Camera
+    png: bytes
 
 
 @dataclass(frozen=True)
@@ -19,6 +33,8 @@ class Event:
     """What is wrong if it failed; what happened, in a short sentence, or nothing if it worked."""
     scene: Scene
     goals: tuple[Condition, ...]
+    frames: tuple[Frame, ...] = field(default=(), compare=False, repr=False)
+    """Pictures, where the world renders and was asked for them; they decide nothing."""
 
     @property
     def solved(self) -> bool:
@@ -47,4 +63,10 @@ class World(Protocol):
         ...
 
 
+def silently(text: str) -> None:
+    """Tell nobody."""
+
+
 worlds: Registry[World] = Registry("world", __name__)
+"""Factories take `rules`, `variant` (what a name has after its colon), `frames` (whether to
+render) and `announce`; those with variants also have `resolve` and `check`, see `naming`."""

@@ -1,10 +1,11 @@
 """The embedded world: the skill layer over `reibench.household`, no download, display or GPU."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 from reibench.household import Controller, Room, load_room
 from reibench.scene import Scene, Vector
-from reibench.worlds import World, worlds
+from reibench.worlds import Announce, World, silently, worlds
 from reibench.worlds.rules import STRICT, Rules
 from reibench.worlds.simulator import Outcome
 from reibench.worlds.thor import ThorWorld
@@ -43,6 +44,10 @@ class EmbeddedSimulator:
         """Report the room as it is now."""
         return self.controller.snapshot()
 
+    def metadata(self) -> Mapping[str, Any]:
+        """Report the room as AI2-THOR's metadata."""
+        return self.controller.last_event.metadata
+
     def sees(self, object_id: str) -> bool:
         """Whether the object is visible now."""
         return self.controller.sees(object_id)
@@ -57,6 +62,12 @@ class EmbeddedSimulator:
 
 
 @worlds.register("embedded")
-def embedded_world(rules: Rules = STRICT) -> World:
-    """Make a household world in this process."""
+def embedded_world(
+    rules: Rules = STRICT,
+    *,
+    variant: str = "",
+    frames: bool = False,
+    announce: Announce = silently,
+) -> World:
+    """Make a household world in this process; it renders nothing."""
     return ThorWorld(EmbeddedSimulator(), rules)

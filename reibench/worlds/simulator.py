@@ -1,8 +1,8 @@
 """What the skill layer needs of an AI2-THOR controller, embedded or real."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Any, Protocol
 
 from reibench.scene import Scene, Vector
 
@@ -30,6 +30,10 @@ class Simulator(Protocol):
 
     def scene(self) -> Scene:
         """Report the room as it is now."""
+        ...
+
+    def metadata(self) -> Mapping[str, Any]:
+        """Report the room as AI2-THOR's metadata, for dumps; skills read `scene`."""
         ...
 
     def sees(self, object_id: str) -> bool:

@@ -41,6 +41,11 @@ class ThorWorld:
             Verb.TURN_OFF: self._turn_off,
         }
 
+    @property
+    def simulator(self) -> Simulator:
+        """The simulator the skills act on."""
+        return self._simulator
+
     def reset(self, task: Task) -> Event:
         """Set up the task's room."""
         self._task = task

@@ -31,12 +31,14 @@ def treat(before: Treatments, skill: Skill, thing: SceneObject, scene: Scene) ->
 
 
 def contents(scene: Scene, receptacle_id: str) -> frozenset[str]:
-    """Return the ids of everything in a receptacle, and in what is in it."""
+    """Return the ids of everything in a receptacle, and in what is in it and can be taken out."""
     found: set[str] = set()
     waiting = [receptacle_id]
     while waiting:
         thing = scene.by_id[waiting.pop()]
-        fresh = [each for each in thing.contents or () if each not in found]
+        # In real rooms a cup can hold the counter it stands on.
+        loose = (each for each in thing.contents or () if scene.by_id[each].pickupable)
+        fresh = [each for each in loose if each not in found]
         found.update(fresh)
         waiting.extend(fresh)
     return frozenset(found)

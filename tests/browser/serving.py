@@ -28,10 +28,13 @@ def free_port() -> int:
 
 
 @contextmanager
-def app(database: Path, *, model: str = "", port: int = 0) -> Iterator[str]:
+def app(
+    database: Path, *, model: str = "", world: str = "embedded", port: int = 0
+) -> Iterator[str]:
     """Run `python app.py` in a process of its own, and give its address once it answers."""
     port = port or free_port()
     command = [sys.executable, "app.py", "--port", str(port), "--db", str(database)]
+    command += ["--world", world]
     if model:
         command += ["--model", model]
     log = database.with_suffix(".log")

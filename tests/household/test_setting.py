@@ -62,7 +62,7 @@ def test_a_thing_can_be_placed_at_a_point(robot):
 
 def test_initialize_changes_how_far_one_sees(robot):
     before = len(robot.controller.snapshot().visible)
-    assert robot("Initialize", visibilityDistance=10.0, fieldOfView=180, quality="Low").success
+    assert robot("Initialize", visibilityDistance=10.0, fieldOfView=170, quality="Low").success
     assert len(robot.controller.snapshot().visible) > before
 
 

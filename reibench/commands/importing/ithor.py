@@ -8,7 +8,7 @@ from reibench.commands.options import add_json
 from reibench.commands.output import say, say_json, tell
 from reibench.errors import InvalidRoom, ReibenchError
 from reibench.household.ithor import read_dump
-from reibench.household.rooms import Room, imported_rooms, save_room
+from reibench.household.rooms import ROOMS, Room, imported_rooms, save_room
 
 PURPOSE = "real AI2-THOR rooms, from dumps of their object metadata (see `dump`)"
 
@@ -30,7 +30,7 @@ def import_command(arguments: Namespace) -> int:
     rooms, refused = [], []
     for path in paths:
         try:
-            room = read_dump(path)
+            room = _read(path)
         except InvalidRoom as problem:
             refused.append(str(problem))
             continue
@@ -38,6 +38,13 @@ def import_command(arguments: Namespace) -> int:
         rooms.append(room)
     _report(arguments, rooms, refused)
     return 1 if refused else 0
+
+
+def _read(path: Path) -> Room:
+    room = read_dump(path)
+    if (ROOMS / f"{room.name}.json").is_file():
+        raise InvalidRoom(f"{path}: {room.name} is the name of a room that comes along.")
+    return room
 
 
 def _report(arguments: Namespace, rooms: list[Room], refused: list[str]) -> None:

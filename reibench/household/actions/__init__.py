@@ -7,11 +7,12 @@ from importlib import import_module
 from inspect import Parameter, signature
 from typing import Any, TypeVar
 
+from reibench.household.actions.kinds import Kind, kind_of
 from reibench.household.state import State
 from reibench.scene import SceneObject
 
 Function = TypeVar("Function", bound=Callable[..., object])
-FAMILIES = ("moving", "handling", "switching", "altering", "setting")
+FAMILIES = ("moving", "handling", "switching", "altering", "setting", "viewing")
 ALWAYS_ALLOWED = frozenset(
     "agentId sequenceId renderImage renderDepthImage renderNormalsImage renderFlowImage"
     " renderInstanceSegmentation renderSemanticSegmentation renderObjectImage renderClassImage"
@@ -43,6 +44,8 @@ class Action:
     """Names of those it takes."""
     ignored: frozenset[str]
     """Names of those it lets pass."""
+    kinds: dict[str, Kind]
+    """What the values of its arguments can be."""
     anything: bool = False
     """Whether it takes arguments of any name."""
 
@@ -59,9 +62,10 @@ def action(*names: str, changes: bool = True) -> Callable[[Function], Function]:
         anything = len(named) < len(parameters)
         required = frozenset(one.name for one in named if one.default is Parameter.empty)
         own = frozenset(one.name for one in named)
+        kinds = {one.name: kind_of(one.annotation) for one in named}
         for name in names:
             _ACTIONS[name] = Action(
-                name, function, changes, required, own, ALWAYS_ALLOWED - own, anything
+                name, function, changes, required, own, ALWAYS_ALLOWED - own, kinds, anything
             )
         return function
 
@@ -92,5 +96,10 @@ def interactable(state: State, name: str, *, force: bool = False) -> SceneObject
 
 
 def vector(value: Any) -> tuple[float, float, float]:
-    """Read a position given as `{x, y, z}`."""
-    return float(value["x"]), float(value["y"]), float(value["z"])
+    """Read a position given as `{x, y, z}`; raises Refused if it is not one."""
+    try:
+        return float(value["x"]), float(value["y"]), float(value["z"])
+    except (KeyError, TypeError, ValueError):
+        raise Refused(
+            f"The position {value!r} has not the form {{x, y, z}}.", "InvalidArgument"
+        ) from None

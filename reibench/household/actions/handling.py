@@ -61,7 +61,8 @@ def put_object(
             "Target openable Receptacle is CLOSED, can't place if target is not open!",
             "ReceptacleNotOpen",
         )
-    spot = free_spot(state.objects, _as_lying(state, thing), receptacle, _before(state))
+    lying, holds = _as_lying(state, thing), state.room.surface(receptacle.id)
+    spot = free_spot(state.objects, lying, receptacle, _before(state), holds=holds)
     if spot is None:
         raise Refused("No valid points to place object found", "ReceptacleFull")
     state.put(thing.id, *spot, receptacle=receptacle.id)

@@ -3,7 +3,6 @@
 from typing import Any
 
 from reibench.household.actions import Refused, action
-from reibench.household.floor import WalkableFloor
 from reibench.household.geometry import footprint, forward
 from reibench.household.state import State
 from reibench.scene import Vector
@@ -65,8 +64,7 @@ def get_reachable_positions(state: State, gridSize: float | None = None) -> list
     """Return the grid positions the robot can get to."""
     floor = state.floor
     if gridSize is not None and gridSize != state.settings.grid:
-        start = state.room.start.position
-        floor = WalkableFloor(state.room.bounds, state.room.objects, start, gridSize)
+        floor = state.room.floor_of(gridSize)
     return [point._asdict() for point in floor.points]
 
 

@@ -28,14 +28,27 @@ def wait(state: State) -> None:
 def initialize(state: State, **options: Any) -> dict[str, float]:
     """Take settings; what has no meaning without a camera or physics is let pass."""
     before = state.settings
-    state.configure(
-        Settings(
-            grid=float(options.get("gridSize", before.grid)),
-            reach=float(options.get("visibilityDistance", before.reach)),
-            field_of_view=float(options.get("fieldOfView", before.field_of_view)),
-        )
-    )
+    grid = _number(options, "gridSize", before.grid)
+    if not 0 < grid <= 5:
+        raise Refused("grid size must be in the range (0,5]")
+    field_of_view = _number(options, "fieldOfView", before.field_of_view)
+    if not 0 < field_of_view < 180:
+        raise Refused("fov must be set to (0, 180) noninclusive.")
+    reach = _number(options, "visibilityDistance", before.reach)
+    state.configure(Settings(grid, reach, field_of_view, before.screen))
     return {"cameraNearPlane": 0.1, "cameraFarPlane": 20.0}
+
+
+def _number(options: dict[str, Any], name: str, otherwise: float) -> float:
+    value = options.get(name)
+    if value is None:
+        return otherwise
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        raise Refused(
+            f"Initialize takes a number as {name}, not {value!r}.", "InvalidArgument"
+        ) from None
 
 
 @action("SetObjectStates")
@@ -74,12 +87,12 @@ def set_object_poses(
     """
     by_name = {thing.name: thing for thing in state.objects.values()}
     for pose in objectPoses:
-        thing = by_name.get(pose["objectName"])
+        thing = by_name.get(pose.get("objectName", ""))
         if thing is None:
-            raise Refused(f"No object of name {pose['objectName']} found.")
+            raise Refused(f"No object of name {pose.get('objectName', '')} found.")
         if not (thing.pickupable or thing.moveable):
             raise Refused(f"{thing.name} can neither be picked up nor moved.")
-        _put_at(state, thing, Vector(*vector(pose["position"])))
+        _put_at(state, thing, Vector(*vector(pose.get("position"))))
         if (turn := (pose.get("rotation") or {}).get("y")) is not None:
             state.change(thing.id, yaw=float(turn))
 
