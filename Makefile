@@ -11,7 +11,7 @@ app: $(VENV)/.runtime
 setup: $(VENV)/.runtime
 
 test: $(VENV)/.tests lint types
-	$(BIN)/pytest
+	$(BIN)/pytest -n 2 --dist loadfile
 
 lint: $(VENV)/.tests
 	$(BIN)/ruff format --check .

@@ -51,7 +51,7 @@ def test_it_is_dark_where_the_reader_prefers_dark(sheet):
 
 def test_the_command_writes_the_rooms_asked_for(tmp_path, capsys):
     out = tmp_path / "rooms.html"
-    assert main(["view", "rooms", "--out", str(out), "--rooms", "bed*,kitchen-2"]) == 0
+    assert main(["view", "rooms", "--out", str(out), "--rooms", "bed*-[12],kitchen-2"]) == 0
     assert "3 rooms" in capsys.readouterr().out
     assert out.read_text().count('class="card"') == 3
     assert main(["view", "rooms", "--out", str(out), "--rooms", "kichen-2"]) == 2
