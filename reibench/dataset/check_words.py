@@ -51,7 +51,12 @@ def _wrong_names(episode: Episode, name: str) -> Iterator[str]:
 
 
 def _numbers(episode: Episode, name: str) -> Iterator[str]:
-    """Find pronouns of a number that the thing cannot have."""
+    """Find pronouns of a number that the thing cannot have.
+
+    At the implicit level a plural may stand for the kind, which only other levels name.
+    """
+    if episode.vagueness.reference == "implicit":
+        return
     known = names().get(name)
     named = [mark for mark in _mine(episode, name) if mark.explicit]
     if known is None or known.number == "plural" or not named:

@@ -157,7 +157,7 @@ BROKEN = {
         "'the spoon' is marked as naming the Potato, but does not",
     ),
     "a pronoun of the wrong number": (
-        "heat_potato.implicit-standard",
+        "heat_potato.mixed-standard",
         lambda v: say(
             v, 6, "Warm them up for the dining table.", potato("them", "pronoun", "implicit"), TABLE
         ),

@@ -10,7 +10,8 @@ from reibench.dataset.levels import derive
 from reibench.dataset.scripts import SCRIPTS, read_scripts
 from reibench.errors import ReibenchError
 
-EPISODES = SHIPPED / "rei.jsonl.gz"
+EPISODES = Path("data") / "rei.jsonl.gz"
+"""Beside the shipped episodes it would be read with them, and six tasks are in both."""
 
 
 def add(command: ArgumentParser) -> None:
@@ -18,7 +19,7 @@ def add(command: ArgumentParser) -> None:
     command.add_argument(
         "--scripts", action="append", default=[], help="script files (default: the shipped ones)"
     )
-    command.add_argument("--out", type=Path, default=EPISODES, help="default: %(default)s")
+    command.add_argument("--out", type=Path, help=f"of written scripts by default {EPISODES}")
     command.add_argument("--seed", type=int, default=1, help="decides whatever is left to chance")
     realised.add(command)
     modelled.add(command)
@@ -40,14 +41,16 @@ def build_command(arguments: Namespace) -> int:
     paths = [Path(path) for path in arguments.scripts] or sorted(SCRIPTS.glob("*.txt"))
     scripts = [script for path in paths for script in read_scripts(path)]
     episodes = [episode for script in scripts for episode in derive(script)]
-    write_episodes(arguments.out, episodes)
-    tell(f"{arguments.out}: {len(episodes)} episodes from {len(scripts)} scripts")
+    out = arguments.out or EPISODES
+    out.parent.mkdir(parents=True, exist_ok=True)
+    write_episodes(out, episodes)
+    tell(f"{out}: {len(episodes)} episodes from {len(scripts)} scripts")
     return 0
 
 
-def _keep_apart(out: Path) -> None:
+def _keep_apart(out: Path | None) -> None:
     """Refuse to put what nobody wrote among the shipped episodes."""
-    if out.resolve().parent == SHIPPED.resolve():
+    if out is None or out.resolve().parent == SHIPPED.resolve():
         raise ReibenchError(
             f"{SHIPPED.name} holds the written episodes, and no others belong there; name another"
             " file with --out."
