@@ -1,6 +1,7 @@
 """Stand-ins that break on purpose, and what is left of them."""
 
 import threading
+import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from uuid import uuid4
@@ -70,6 +71,9 @@ def left_behind(running, tmp_path_factory, monkeypatch) -> Callable[[], list[obj
     threads, files = set(threading.enumerate()), _open_files()
 
     def look() -> list[object]:
+        limit = time.monotonic() + 2
+        while running() and time.monotonic() < limit:
+            time.sleep(0.02)  # A killed process that has lost its parent takes a moment to go.
         more = [thread for thread in threading.enumerate() if thread not in threads]
         return [*running(), *more, *folder.iterdir(), *(_open_files() - files)]
 
