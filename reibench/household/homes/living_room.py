@@ -171,10 +171,12 @@ def _side_tables(site: Site, sofa: SceneObject, chests: list[Chest]) -> None:
 def _lamp(site: Site, sofa: SceneObject) -> None:
     """Stand a floor lamp beside the sofa, or in a corner."""
     long = max(sofa.box.size.x, sofa.box.size.z)
+    beside = site.random.random() < 0.8
     for side in site.shuffled((-1, 1)):
+        # Farther off there is a small table between.
         for off in (0.26, 0.85):
             box = _before(sofa, LAMP, -0.9, side * (long / 2 + off))
-            if site.random.random() < 0.6 and site.stand_at("FloorLamp", box, sofa.yaw):
+            if beside and site.stand_at("FloorLamp", box, sofa.yaw):
                 return
     if site.against_wall("FloorLamp", LAMP, passage=0.2, corner=True) is None:
         raise Cramped("floor lamp")

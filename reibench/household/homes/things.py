@@ -48,7 +48,8 @@ def add_things(site: Site) -> None:
     ]
     for name in sorted(kinds, key=lambda name: (-max(_natural(site, name)), name)):
         for _ in range(site.count(name)):
-            put_on(site, name, _natural(site, name))
+            if not put_on(site, name, _natural(site, name)):
+                site.miss(name)
 
 
 def put_on(site: Site, kind: str, extent: Vector, *, back: bool = False) -> bool:
@@ -158,12 +159,13 @@ def _draw_place(site: Site, kind: str, found: Mapping[str, int], present: list[s
     if shares:
         return max(shares, key=lambda name: (found[name], name))
     fitting = [name for name in present if object_type(kind).may_go(name) and name != "Floor"]
-    fitting = [name for name in fitting if name in _LIKELY] or fitting
+    fitting = [name for name in fitting if name in _LIKELY]
     return site.random.choice(fitting) if fitting else ""
 
 
 _LIKELY = frozenset(
-    "CounterTop DiningTable Desk Dresser Shelf SideTable CoffeeTable TVStand Bed Sofa".split()
+    "CounterTop DiningTable Desk Dresser Shelf SideTable CoffeeTable TVStand Bed Sofa Fridge"
+    " Cabinet Drawer".split()
 )
 
 
