@@ -2,6 +2,7 @@
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
 from functools import cache, lru_cache
 from multiprocessing import get_context
@@ -95,8 +96,9 @@ def fidelity_report(
     # Trials of a room together, so that each process reads few rooms.
     ordered = sorted(trials, key=lambda trial: (trial.setup.room, trial.id))
     if workers > 1:
-        with get_context("spawn").Pool(workers) as pool:
-            outcomes = pool.map(measuring, ordered, chunksize=16)
+        # Unlike a multiprocessing pool this one says so when a process of it is lost.
+        with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as pool:
+            outcomes = list(pool.map(measuring, ordered, chunksize=16))
     else:
         outcomes = [measuring(trial) for trial in ordered]
     return _summary(outcomes)

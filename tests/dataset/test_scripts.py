@@ -115,3 +115,11 @@ def test_scripts_that_share_their_words_are_found(gold, broken):
     copy = broken("heat_potato", ("# heat_potato", "# heat_potato_2"), ("30s", "40s"))
     found = set_problems([*gold.values(), copy])
     assert any("of their five-word sequences" in each for each in found)
+
+
+def test_the_written_scripts_are_sound_alone_and_together():
+    scripts = [script for path in sorted(SCRIPTS.glob("*.txt")) for script in read_scripts(path)]
+    assert len(scripts) == 296
+    found = {script.id: script_problems(script) for script in scripts}
+    assert {name: problems for name, problems in found.items() if problems} == {}
+    assert set_problems(scripts) == []
