@@ -182,6 +182,8 @@ def _open(path: Path, threads: int, slots: int) -> Any:
             f"llama.cpp cannot open {path} ({path.stat().st_size:,} bytes): the file is damaged or"
             " cut off, of an unknown kind, or too big for the memory; download it again."
         ) from error
+    # A server that is let go before its loop has begun waits for ever; an answer proves it runs.
+    server.handle_completions({"prompt": "a", "n_predict": 1, "cache_prompt": False})
     log.info("opened %s in %.1f s", path, perf_counter() - started)
     return server
 

@@ -1,5 +1,7 @@
 """A real model, the packaged Gemma, behind the Backend contract."""
 
+import subprocess
+import sys
 from concurrent.futures import ThreadPoolExecutor
 
 import pytest
@@ -123,3 +125,15 @@ def test_a_file_cut_off_is_said_to_be_damaged(tmp_path):
         (tmp_path / "half.gguf").write_bytes(whole.read(20_000_000))
     with pytest.raises(ModelUnavailable, match="damaged or cut off"):
         open_backend(f"llama-cpp:{tmp_path / 'half.gguf'}")
+
+
+OPENED = """
+from reibench.backends.opening import open_backend
+for _ in range(4):
+    open_backend("llama-cpp:gemma-3-270m").close()
+"""
+
+
+def test_a_model_that_is_closed_before_it_was_asked_lets_go():
+    # in a process of its own: a server that waits for ever can only be killed
+    subprocess.run([sys.executable, "-c", OPENED], check=True, timeout=120)

@@ -110,10 +110,17 @@ def test_the_expert_opens_what_hides_the_object(world):
     ]  # fmt: skip
 
 
-def test_the_expert_makes_room_on_full_shelves(world):
-    rollout = solve("kitchen-14", Goal(TaskType.PICK, "Pot", "Shelf"), world)
-    assert rollout.status == "success"
-    assert any(not step.event.success for step in rollout.steps)
+def test_the_expert_makes_room_on_a_full_side_table(world):
+    rollouts = [
+        solve(room, Goal(TaskType.PICK, name, "SideTable"), world)
+        for room in (name for name in HOMES if PLANS[name].kind == "living room")
+        for name in ("Book", "Box", "Laptop", "Plate")
+        if {name, "SideTable"} <= {thing.type for thing in load_room(room).objects}
+    ]
+    assert any(
+        rollout.status == "success" and any(not step.event.success for step in rollout.steps)
+        for rollout in rollouts
+    )
 
 
 def test_the_expert_gives_up_at_once_where_there_is_nothing_to_fetch(world):
