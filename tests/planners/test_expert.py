@@ -94,7 +94,7 @@ def test_the_expert_solves_tasks_of_every_type_in_all_rooms_made_like_real_ones(
             all_[named] += len(chosen)
             successes = sum(rollout.status == "success" for rollout in rollouts)
             solved[named] += successes
-            assert successes or named == "stack", f"no {named} task was solved in {room}"
+            assert successes, f"no {named} task was solved in {room}"
     assert set(all_) >= KINDS_OF_TASK[kind]
     # A box finds no room on a desk or table with much on it.
     least = {"stack": 0.7, "pick": 0.93}
