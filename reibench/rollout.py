@@ -11,7 +11,7 @@ from typing import Literal
 from reibench.episode import Episode
 from reibench.errors import StaleStep
 from reibench.methods import Instruction
-from reibench.planners import Decision, Planner
+from reibench.planners import Closing, Decision, Planner
 from reibench.worlds import Event, World
 
 MAX_STEPS = 30
@@ -50,6 +50,8 @@ class Record:
     """Whether the actor ended the episode itself."""
     instruction: Instruction | None = None
     """What the planner was told; None for people, who read the dialogue."""
+    closing: Closing | None = None
+    """What led to saying done, where a planner that asks a model said it."""
     error: str = ""
 
 
@@ -63,6 +65,7 @@ class Rollout:
         self.steps: list[Step] = []
         self.said_done = False
         self.instruction: Instruction | None = None
+        self.closing: Closing | None = None
         self.first_event: Event | None = None
         self._world = world
         self._clock = perf_counter()
@@ -106,9 +109,10 @@ class Rollout:
         self.steps.append(Step(number, decision, event, thought))
         return self.steps[-1]
 
-    def finish(self) -> None:
-        """Note that the actor said done."""
+    def finish(self, closing: Closing | None = None) -> None:
+        """Note that the actor said done, and what led to it."""
         self.said_done = True
+        self.closing = closing
 
     @property
     def exhausted(self) -> bool:
@@ -138,6 +142,7 @@ class Rollout:
             steps=tuple(self.steps),
             said_done=self.said_done,
             instruction=self.instruction,
+            closing=self.closing,
             error=error,
         )
 
@@ -146,15 +151,14 @@ def drive(rollout: Rollout, planner: Planner, instruction: Instruction) -> Itera
     """Let `planner` act until it returns or the step budget is spent."""
     rollout.instruction = instruction
     plan = planner.plan(instruction, rollout.last_event, rollout.skills)
-    decision = next(plan, None)
-    while decision is not None:
-        step = rollout.step(decision)
-        yield step
-        if rollout.exhausted:
-            plan.close()
-            return
-        try:
+    try:
+        decision = next(plan)
+        while True:
+            step = rollout.step(decision)
+            yield step
+            if rollout.exhausted:
+                plan.close()
+                return
             decision = plan.send(step.event)
-        except StopIteration:
-            break
-    rollout.finish()
+    except StopIteration as end:
+        rollout.finish(end.value)

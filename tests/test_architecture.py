@@ -19,7 +19,7 @@ ONLY_IN = {
 }
 LEVELS = {
     "errors": 0, "registry": 0,
-    "dialogue": 1, "skill": 1, "episode": 1, "scene": 1,
+    "dialogue": 1, "skill": 1, "episode": 1, "scene": 1, "artefact": 1,
     "goals": 2, "household": 2,
     "worlds": 3, "models": 3, "backends": 3,
     "methods": 4, "dataset": 4, "pool": 4,

@@ -30,6 +30,8 @@ class Usage:
     """Those of `prompt_tokens` that did not have to be evaluated."""
     completion_tokens: int = 0
     seconds: float = 0.0
+    dollars: float = 0.0
+    """Estimate from the price list of a paid model; 0 for those that run here."""
 
     def __add__(self, other: "Usage") -> "Usage":
         return Usage(
@@ -37,6 +39,7 @@ class Usage:
             self.cached_tokens + other.cached_tokens,
             self.completion_tokens + other.completion_tokens,
             self.seconds + other.seconds,
+            self.dollars + other.dollars,
         )
 
 
@@ -46,6 +49,8 @@ class Generation:
 
     text: str
     usage: Usage = Usage()
+    prompt: str = ""
+    """What the model was really sent, in its chat template if it was asked in one."""
 
 
 @dataclass(frozen=True)
@@ -64,6 +69,8 @@ class Selection:
     usage: Usage = Usage()
     alternatives: tuple[Alternative, ...] = ()
     """The likeliest options with their probabilities, likeliest first, and the chosen one."""
+    prompt: str = ""
+    """What the model was really sent, in its chat template if it was asked in one."""
 
 
 class Backend(Protocol):

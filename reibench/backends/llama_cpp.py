@@ -57,19 +57,21 @@ class LlamaCpp:
         """Continue `prompt` greedily up to the first of `stop`, within a GBNF `grammar`."""
         with self._lock:
             started = perf_counter()
-            request: dict[str, object] = {"prompt": self._formatted(prompt)}
+            sent = self._formatted(prompt)
+            request: dict[str, object] = {"prompt": sent}
             request |= {"n_predict": max_tokens, "temperature": 0.0, "stop": list(stop)}
             if grammar:
                 request["grammar"] = grammar
             answer = self._complete(request, prompt)
-            return Generation(answer["choices"][0]["text"], _usage(answer, started))
+            return Generation(answer["choices"][0]["text"], _usage(answer, started), sent)
 
     def choose(self, prompt: Prompt, options: Sequence[str]) -> Selection:
         """Return the option that a greedy walk over `options`' tokens takes after `prompt`."""
         with self._lock:
             started = perf_counter()
             root = self._root(tuple(options))
-            start = self._tokenize(self._formatted(prompt), special=True)
+            sent = self._formatted(prompt)
+            start = self._tokenize(sent, special=True)
             asked: list[Usage] = []
 
             def ask(path: tuple[int, ...], children: Sequence[int]) -> Mapping[int, float]:
@@ -87,7 +89,7 @@ class LlamaCpp:
             cached = max(0, tokens - evaluated)
             seconds = perf_counter() - started
             usage = Usage(tokens, cached, len(walk.tokens), seconds)
-            return Selection(text, usage, alternatives)
+            return Selection(text, usage, alternatives, sent)
 
     def close(self) -> None:
         """Free the model; later calls raise ModelUnavailable."""

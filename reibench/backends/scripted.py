@@ -20,14 +20,16 @@ class ScriptedBackend:
         self, prompt: Prompt, *, max_tokens: int = 128, stop: Sequence[str] = (), grammar: str = ""
     ) -> Generation:
         """Return the next answer as it stands."""
-        return Generation(self._next(prompt))
+        answer = self._next(prompt)
+        return Generation(answer, prompt=prompt.text + prompt.begun)
 
     def choose(self, prompt: Prompt, options: Sequence[str]) -> Selection:
         """Return the option the next answer names, spaces around it ignored."""
         answer = self._next(prompt)
         for option in options:
             if option.strip() == answer.strip():
-                return Selection(option, alternatives=(Alternative(option, 1.0),))
+                sure = (Alternative(option, 1.0),)
+                return Selection(option, alternatives=sure, prompt=prompt.text + prompt.begun)
         raise ReibenchError(
             f"The script {self.name!r} says {answer!r}, which is none of the {len(options)}"
             f" options; they read like {', '.join(repr(option) for option in options[:3])}."

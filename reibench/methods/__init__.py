@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from typing import Protocol
 
+from reibench.artefact import Artefact
 from reibench.backends import Backend, Usage
 from reibench.dialogue import Dialogue
 from reibench.registry import Registry
@@ -17,11 +18,18 @@ class Instruction:
     """The pending instruction as it was said."""
     context: tuple[str, ...] = ()
     """Earlier human utterances the planner is shown; empty where a method keeps them from it."""
+    demonstrations: str = ""
+    """Solved examples the planner is shown before the dialogue (in-context learning)."""
+    notes: str = ""
+    """What the robot tells itself between the instruction and the plan (aware prompt, chain of
+    thought)."""
     prompt: str = ""
     """What the model was asked in order to restate it, if it was asked."""
     answer: str = ""
     """What it answered, raw."""
     usage: Usage = Usage()
+    artefacts: tuple[Artefact, ...] = ()
+    """What else was made on the way, e.g. the patterns that opened a gate."""
 
     @property
     def rewritten(self) -> bool:

@@ -42,7 +42,8 @@ class TaskOrientedContextCognition:
         prompt = PROMPT.format(context=context, instruction=original)
         answer = backend.generate(Prompt(prompt, chat=True), max_tokens=LONGEST)
         text = restated(answer.text) or original
-        return Instruction(text, original, (), prompt, answer.text, answer.usage)
+        sent = answer.prompt or prompt
+        return Instruction(text, original, prompt=sent, answer=answer.text, usage=answer.usage)
 
 
 def restated(answer: str) -> str:

@@ -77,7 +77,7 @@ class SpanSubstitution:
         objects, named = name_each(spans, question, backend)
         answer = " ".join(map(_meaning, spans, objects))
         text = substitute(asked, spans, objects)
-        return Instruction(text, original, (), question, answer, found + named)
+        return Instruction(text, original, prompt=question, answer=answer, usage=found + named)
 
 
 def find_vague(instruction: str, backend: Backend) -> tuple[list[Span], Usage]:

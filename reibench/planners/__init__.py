@@ -4,6 +4,7 @@ from collections.abc import Generator
 from dataclasses import dataclass
 from typing import Protocol, TypeAlias
 
+from reibench.artefact import Artefact
 from reibench.backends import Alternative, Usage
 from reibench.methods import Instruction
 from reibench.registry import Registry
@@ -20,9 +21,21 @@ class Decision:
     usage: Usage = Usage()
     alternatives: tuple[Alternative, ...] = ()
     """The runners-up with their probabilities, the chosen one among them."""
+    artefacts: tuple[Artefact, ...] = ()
+    """What the planner made since the decision before: its graph, memory, PDDL, plan."""
 
 
-Plan: TypeAlias = Generator[Decision, Event, None]
+@dataclass(frozen=True)
+class Closing:
+    """What led a planner to say that it is done; fields as in `Decision`."""
+
+    prompt: str = ""
+    usage: Usage = Usage()
+    alternatives: tuple[Alternative, ...] = ()
+    artefacts: tuple[Artefact, ...] = ()
+
+
+Plan: TypeAlias = Generator[Decision, Event, Closing | None]
 """Yields a decision, is sent its event, and returns when the planner thinks it is done."""
 
 

@@ -42,7 +42,8 @@ class Expert:
             try:
                 skill = moves.send(self._event)
             except StopIteration:
-                return
+                break
+        return None
 
     def _solve(self) -> Moves:
         goal = self._goal

@@ -9,8 +9,9 @@ from typing import Literal
 
 from reibench.backends import Backend, Prompt
 from reibench.methods import Instruction
-from reibench.planners import Decision, Plan, planners
+from reibench.planners import Closing, Decision, Plan, planners
 from reibench.planners.examples import Example, fixed_set, nearest
+from reibench.planners.telling import PENDING, told
 from reibench.skill import DONE, Skill, parse_skill
 from reibench.worlds import Event
 
@@ -19,8 +20,6 @@ A robot works in a home. A human asks it for something, and it tells, in order, 
 actions that do it: it goes to a thing with "find" before it uses it, and has one hand. If an \
 action failed, it does what was missing and tries again. It says "done" at the end.
 """
-PREVIOUS = "Human previous inquiry (not required to execute): "
-PENDING = "Human pending instruction: "
 
 
 @planners.register("saycan")
@@ -45,15 +44,15 @@ class SayCan:
         options = [f" {skill}" for skill in skills] + [f" {DONE}"]
         chosen = nearest(instruction.text) if self._examples == "nearest" else fixed_set()
         prefix = introduction(chosen)
-        told = "".join(f"{PREVIOUS}{said}\n" for said in instruction.context)
-        text = f"{prefix}{told}{PENDING}{instruction.text}\nRobot:"
+        text = f"{prefix}{told(instruction)}Robot:"
         while True:
             prompt = Prompt(text, fixed=len(prefix))
             selection = self._backend.choose(prompt, options)
+            asked = selection.prompt or text
             if selection.text.strip() == DONE:
-                return
+                return Closing(asked, selection.usage, selection.alternatives)
             skill = parse_skill(selection.text, skills)
-            event = yield Decision(skill, text, selection.usage, selection.alternatives)
+            event = yield Decision(skill, asked, selection.usage, selection.alternatives)
             failure = "" if event.success else f" (this action failed: {event.message})"
             text += f" {skill}{failure},"
 

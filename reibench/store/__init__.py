@@ -2,7 +2,6 @@
 
 import hashlib
 import json
-import zlib
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
 from typing import Literal
@@ -16,12 +15,12 @@ from reibench.errors import UnknownName
 from reibench.planners import Decision
 from reibench.rollout import Record, Rollout, Step
 from reibench.run import RunSpec
-from reibench.scene import Scene
 from reibench.skill import parse_skill
-from reibench.store import codec
+from reibench.store import codec, thoughts
 from reibench.store.database_file import DatabaseFile
 from reibench.store.frames import FrameFolder
 from reibench.store.schema import now
+from reibench.store.steps import step_row, steps_of
 from reibench.verdict import error_kind
 from reibench.worlds import Event
 
@@ -147,37 +146,16 @@ class Store(DatabaseFile):
         with self.writing() as database:
             database.execute(
                 "update records set instruction = ? where id = ?",
-                [codec.instruction_to_json(rollout.instruction), record_id],
+                [thoughts.instruction_to_json(rollout.instruction), record_id],
             )
 
     def add_step(self, record_id: str, rollout: Rollout, step: Step) -> None:
         """Commit the rollout's step `step`; raises StoreUnavailable and keeps what was there."""
-        before = rollout.steps[step.number - 2] if step.number > 1 else None
-        scene = before.event.scene if before else _scene_at_start(rollout)
-        told = rollout.instruction
-        earlier = before.decision.prompt if before else (told.prompt if told else "")
-        prompt = step.decision.prompt
-        kept = _common(earlier, prompt)
+        row = {"record": record_id, **step_row(rollout, step)}
+        names, marks = ", ".join(row), ", ".join("?" * len(row))
         with self.writing() as database:
             self.frames.keep(record_id, step.number, step.event.frames)
-            database.execute(
-                "insert into steps values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
-                [
-                    record_id,
-                    step.number,
-                    step.decision.skill.text,
-                    step.event.success,
-                    step.event.message,
-                    codec.goals_to_json(step.event.goals),
-                    codec.dump(codec.changes_to_json(scene, step.event.scene)),
-                    kept,
-                    zlib.compress(prompt[kept:].encode()),
-                    codec.usage_to_json(step.decision.usage),
-                    codec.alternatives_to_json(step.decision.alternatives),
-                    round(step.seconds, 4),
-                    now(),
-                ],
-            )
+            database.execute(f"insert into steps ({names}) values ({marks})", list(row.values()))
             database.execute("update records set steps = ? where id = ?", [step.number, record_id])
 
     def finish(self, record_id: str, rollout: Rollout, actor: str, *, error: str = "") -> Record:
@@ -187,13 +165,14 @@ class Store(DatabaseFile):
         with self.writing() as database:
             database.execute(
                 "update records set status = ?, error_kind = ?, said_done = ?, error = ?,"
-                " instruction = ?, finished = ? where id = ?",
+                " instruction = ?, closing = ?, finished = ? where id = ?",
                 [
                     record.status,
                     kind and str(kind),
                     record.said_done,
                     error,
-                    codec.instruction_to_json(record.instruction),
+                    thoughts.instruction_to_json(record.instruction),
+                    thoughts.closing_to_json(record.closing),
                     now(),
                     record_id,
                 ],
@@ -242,7 +221,7 @@ class Store(DatabaseFile):
         """Return a whole record, in progress ones with the status they would end in."""
         episode = self.episode_of(record_id)
         [row] = self.query("select * from records where id = ?", [record_id])
-        instruction = codec.instruction_from_json(row["instruction"])
+        instruction = thoughts.instruction_from_json(row["instruction"])
         start = None
         steps: list[Step] = []
         if row["start_scene"]:
@@ -253,7 +232,8 @@ class Store(DatabaseFile):
                 scene=codec.scene_from_json(json.loads(scene["json"])),
                 goals=codec.goals_from_json(row["start_goals"]),
             )
-            steps = self._steps(record_id, start.scene, instruction.prompt if instruction else "")
+            rows = self.query("select * from steps where record = ? order by number", [record_id])
+            steps = steps_of(rows, start.scene, instruction.prompt if instruction else "")
         return Record(
             id=record_id,
             episode=episode,
@@ -263,35 +243,6 @@ class Store(DatabaseFile):
             steps=tuple(steps),
             said_done=bool(row["said_done"]),
             instruction=instruction,
+            closing=thoughts.closing_from_json(row["closing"]),
             error=row["error"],
         )
-
-    def _steps(self, record_id: str, scene: Scene, prompt: str) -> list[Step]:
-        steps = []
-        for row in self.query("select * from steps where record = ? order by number", [record_id]):
-            scene = codec.changes_from_json(scene, json.loads(row["changes"]))
-            prompt = prompt[: row["prompt_kept"]] + zlib.decompress(row["prompt_rest"]).decode()
-            decision = Decision(
-                skill=parse_skill(row["skill"]),
-                prompt=prompt,
-                usage=codec.usage_from_json(row["usage"]),
-                alternatives=codec.alternatives_from_json(row["alternatives"]),
-            )
-            goals = codec.goals_from_json(row["goals"])
-            event = Event(bool(row["success"]), row["message"], scene, goals)
-            steps.append(Step(row["number"], decision, event, row["seconds"]))
-        return steps
-
-
-def _scene_at_start(rollout: Rollout) -> Scene:
-    if rollout.first_event is None:
-        raise RuntimeError("a rollout that was not started has no step to store")
-    return rollout.first_event.scene
-
-
-def _common(first: str, second: str) -> int:
-    """Return how many leading characters two texts share."""
-    if second.startswith(first):
-        return len(first)
-    pairs = enumerate(zip(first, second, strict=False))
-    return next((place for place, (a, b) in pairs if a != b), min(len(first), len(second)))

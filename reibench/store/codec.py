@@ -5,9 +5,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import fields
 from typing import Any
 
-from reibench.backends import Alternative, Usage
 from reibench.goals import Condition
-from reibench.methods import Instruction
 from reibench.scene import Box, Pose, Scene, SceneObject, Vector
 
 _DEFAULTS = {
@@ -103,52 +101,3 @@ def goals_to_json(goals: Iterable[Condition]) -> str:
 def goals_from_json(text: str) -> tuple[Condition, ...]:
     """Read goal conditions."""
     return tuple(Condition(*each) for each in json.loads(text))
-
-
-def alternatives_to_json(alternatives: Iterable[Alternative]) -> str:
-    """Return runners-up."""
-    return dump([[each.text, round(each.probability, 5)] for each in alternatives])
-
-
-def alternatives_from_json(text: str) -> tuple[Alternative, ...]:
-    """Read runners-up."""
-    return tuple(Alternative(*each) for each in json.loads(text))
-
-
-def usage_to_json(usage: Usage) -> str:
-    """Return what a call cost."""
-    seconds = round(usage.seconds, 4)
-    return dump(
-        [usage.prompt_tokens, usage.cached_tokens, usage.completion_tokens, seconds],
-    )
-
-
-def usage_from_json(text: str) -> Usage:
-    """Read what a call cost."""
-    return Usage(*json.loads(text))
-
-
-def instruction_to_json(instruction: Instruction | None) -> str | None:
-    """Return what the planner was told."""
-    if instruction is None:
-        return None
-    return dump(
-        {
-            "text": instruction.text,
-            "original": instruction.original,
-            "context": instruction.context,
-            "prompt": instruction.prompt,
-            "answer": instruction.answer,
-            "usage": usage_to_json(instruction.usage),
-        }
-    )
-
-
-def instruction_from_json(text: str | None) -> Instruction | None:
-    """Read what the planner was told."""
-    if text is None:
-        return None
-    value = json.loads(text)
-    value["context"] = tuple(value["context"])
-    value["usage"] = usage_from_json(value["usage"])
-    return Instruction(**value)

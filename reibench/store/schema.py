@@ -57,3 +57,10 @@ def runs_records_and_steps(database: Database) -> None:
         " created text not null, primary key (record, number))",
     ):
         database.execute(statement)
+
+
+@migration
+def what_planners_made(database: Database) -> None:
+    """Keep what planners made on their way, and what led them to say done."""
+    database.execute("alter table steps add column artefacts text not null default '[]'")
+    database.execute("alter table records add column closing text")
