@@ -5,7 +5,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from reibench.view.topbar import ACTORS, METHOD_NAMES, Actor
+from reibench.methods import methods
+from reibench.view.topbar import ACTORS, Actor
 
 _TOKEN_LENGTH = 22
 DEFAULT_METHOD = "tocc-span"
@@ -58,7 +59,7 @@ class Ask:
             seconds=float(seconds) if isinstance(seconds, int | float) and seconds >= 0 else None,
             skill=_word(data.get("skill")),
             model=_word(data.get("model")),
-            method=next((m for m in METHOD_NAMES if m == data.get("method")), DEFAULT_METHOD),
+            method=next((m for m in methods.names() if m == data.get("method")), DEFAULT_METHOD),
             solution=data.get("solution") is True,
             as_actor=actor_called(data.get("as")),
             kind=_word(data.get("kind")),

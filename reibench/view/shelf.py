@@ -1,16 +1,11 @@
-"""Models and settings: what is on the shelf, what it takes to get it, and how TOCC is done."""
+"""Models and settings: what is on the shelf, how to get it, and which prompting method is used."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from reibench.methods import methods
 from reibench.models import Shelved, in_megabytes
 from reibench.view.markup import classes, element, number, text
-from reibench.view.topbar import METHOD_NAMES
-
-METHOD_NOTES = {
-    "tocc": "the paper's: the model rewrites the instruction freely",
-    "tocc-span": "ours: the model only says what each vague expression stands for",
-}
 
 
 @dataclass(frozen=True)
@@ -36,7 +31,7 @@ def shelf(
     Args:
         models: what is on the shelf.
         chosen: name of the model in use.
-        method: which variant of TOCC is used.
+        method: which prompting method is used.
         ready: whether the chosen model is loaded.
         fetching: models on their way, by name.
     """
@@ -54,8 +49,8 @@ def shelf(
         heading,
         element("h3", "Language model", class_="label"),
         *rows,
-        element("h3", "How TOCC rewrites", class_="label"),
-        *_variants(method),
+        element("h3", "Prompting method", class_="label"),
+        *_methods(method),
         element("h3", "Keys", class_="label"),
         _keys(),
         class_="sheet",
@@ -65,20 +60,21 @@ def shelf(
     )
 
 
-def _variants(method: str) -> list[str]:
-    """Return the ways TOCC can be done, as one choice."""
+def _methods(chosen: str) -> list[str]:
+    """Return all prompting methods with what they do, as one choice."""
+    known = {name: methods.create(name) for name in methods.names()}
     return [
         element(
             "label",
-            _radio("method", name, checked=name == method),
+            _radio("method", name, checked=name == chosen),
             element(
                 "span",
-                element("b", text(METHOD_NAMES[name])),
-                element("small", text(METHOD_NOTES[name])),
+                element("b", text(method.title)),
+                element("small", text(method.summary)),
             ),
             class_="option",
         )
-        for name in METHOD_NAMES
+        for name, method in known.items()
     ]
 
 

@@ -5,7 +5,7 @@ from html import unescape
 
 from reibench.methods import Instruction
 from reibench.view.dialogue import conversation, utterance_text
-from reibench.view.rewrite import rewritten_box, word_diff
+from reibench.view.rewrite import told_box, word_diff
 
 
 def plain(markup):
@@ -64,4 +64,4 @@ def test_a_rewrite_is_escaped():
 
 def test_an_instruction_that_was_left_alone_says_so():
     told = Instruction(text="Heat it.", original="Heat it.")
-    assert "left the instruction as it was" in rewritten_box(told, "TOCC")
+    assert "left the instruction as it was" in told_box(told, "TOCC")
