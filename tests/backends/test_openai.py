@@ -8,7 +8,11 @@ import pytest
 
 from reibench import models
 from reibench.backends import Prompt, is_concurrent
+from reibench.backends.openai import Connection
 from reibench.backends.opening import open_backend
+from reibench.backends.patience import Patience
+from reibench.backends.prices import price_of
+from reibench.backends.remote import RemoteModel
 from reibench.errors import ModelUnavailable, ReibenchError, UnknownName
 from reibench.rollout import Rollout
 from reibench.run import RunSpec, evaluate, play
@@ -91,12 +95,12 @@ def test_a_prompt_that_is_too_long_is_refused_with_the_reason(served):
 
 def test_eight_threads_play_whole_episodes_with_one_backend(served, episodes):
     assert is_concurrent(served)
-    spec = RunSpec(model=served.name, max_steps=4)
+    spec = RunSpec(model=served.name, max_steps=2)
     chosen = sorted(episodes.values(), key=lambda one: one.id)[:8]
 
     def played(episode):
         world = worlds.create("embedded")
-        rollout = Rollout(episode, world, max_steps=4)
+        rollout = Rollout(episode, world, max_steps=2)
         rollout.start()
         steps = list(play(spec, rollout, served))
         world.close()
@@ -315,7 +319,7 @@ def test_a_used_up_quota_is_not_asked_again():
 
 def test_a_key_is_sent_and_shown_nowhere(world, store, episode, caplog):
     caplog.set_level(logging.DEBUG)
-    quoting = error(401, f"Incorrect API key provided: {KEY}, or sk-very**7890", headers={"X": KEY})
+    quoting = error(401, f"Incorrect API key provided: {KEY}, or sk-very**7890")
     with serving(lambda path, body: quoting) as server:
         model = model_of(server)
         [record] = evaluate(RunSpec(model="openai:m"), [episode], model, world, store)
@@ -343,3 +347,40 @@ def test_a_closed_model_says_so():
         model.close()
         with pytest.raises(ModelUnavailable, match="has been closed"):
             model.choose(Prompt("Robot:"), OPTIONS)
+
+
+def test_a_choice_goes_to_the_endpoint_that_can_be_held_to_it():
+    """Ollama ignores fields it does not know and keeps to schemas in chat only."""
+
+    def ollama(path, body):
+        if path == "/v1/completions":
+            return Reply({"choices": [{"text": " find a spaceship"}]})
+        return obliging(path, {"response_format": body["response_format"]} if holds(body) else {})
+
+    def holds(body):
+        return "response_format" in body
+
+    with serving(ollama) as server:
+        model = model_of(server)
+        assert model.choose(Prompt("Robot:"), OPTIONS).text == OPTIONS[0]
+        assert server.asked[-1][0] == "/v1/chat/completions"
+        assert model.generate(Prompt("Robot:")).text == " find a spaceship"
+
+
+def test_a_beginning_the_model_repeats_in_chat_is_left_out_of_what_goes_on():
+    with serving(lambda path, body: said("It is the cat. Yes.")) as server:
+        model = model_of(server)
+        prompt = Prompt("Which?", chat=True, begun="It is the")
+        assert model.generate(prompt, stop=["."]).text == " cat"
+
+
+def test_what_is_paid_for_is_what_all_asked_answers_cost_by_the_price_list():
+    with serving() as server:
+        connection = Connection(server.address, KEY, patience=Patience(first=0.01))
+        paid = RemoteModel("gpt-4o-mini", connection, price=price_of("gpt-4o-mini"))
+        free = model_of(server, "gpt-4o-mini")
+        paid.choose(Prompt("Robot:"), OPTIONS)
+        server.next = [said("?"), said('{"choice": "done"}')]
+        usage = paid.choose(Prompt("Robot:"), OPTIONS).usage
+        assert usage.dollars == pytest.approx(2 * (100 * 0.15 + 10 * 0.60) / 1e6)
+        assert free.choose(Prompt("Robot:"), OPTIONS).usage.dollars == 0
