@@ -7,11 +7,11 @@ from reibench.commands.building import alfred, modelled, realised
 from reibench.commands.output import tell
 from reibench.dataset.files import SHIPPED, write_episodes
 from reibench.dataset.levels import derive
-from reibench.dataset.scripts import SCRIPTS, read_scripts
+from reibench.dataset.scripts import read_scripts, shipped_scripts
 from reibench.errors import ReibenchError
 
-EPISODES = Path("data") / "rei.jsonl.gz"
-"""Beside the shipped episodes it would be read with them, and six tasks are in both."""
+EPISODES = SHIPPED / "rei.jsonl.gz"
+"""What the shipped scripts make."""
 
 
 def add(command: ArgumentParser) -> None:
@@ -19,7 +19,9 @@ def add(command: ArgumentParser) -> None:
     command.add_argument(
         "--scripts", action="append", default=[], help="script files (default: the shipped ones)"
     )
-    command.add_argument("--out", type=Path, help=f"of written scripts by default {EPISODES}")
+    command.add_argument(
+        "--out", type=Path, help="of the shipped scripts by default the shipped file"
+    )
     command.add_argument("--seed", type=int, default=1, help="decides whatever is left to chance")
     realised.add(command)
     modelled.add(command)
@@ -38,8 +40,10 @@ def build_command(arguments: Namespace) -> int:
     if arguments.model is not None:
         _keep_apart(arguments.out)
         return modelled.build_modelled(arguments)
-    paths = [Path(path) for path in arguments.scripts] or sorted(SCRIPTS.glob("*.txt"))
-    scripts = [script for path in paths for script in read_scripts(path)]
+    scripts = shipped_scripts()
+    if arguments.scripts:
+        _keep_apart(arguments.out)
+        scripts = [script for path in arguments.scripts for script in read_scripts(Path(path))]
     episodes = [episode for script in scripts for episode in derive(script)]
     out = arguments.out or EPISODES
     out.parent.mkdir(parents=True, exist_ok=True)
@@ -49,7 +53,7 @@ def build_command(arguments: Namespace) -> int:
 
 
 def _keep_apart(out: Path | None) -> None:
-    """Refuse to put what nobody wrote among the shipped episodes."""
+    """Refuse to put what does not derive from the shipped scripts among the shipped episodes."""
     if out is None or out.resolve().parent == SHIPPED.resolve():
         raise ReibenchError(
             f"{SHIPPED.name} holds the written episodes, and no others belong there; name another"
