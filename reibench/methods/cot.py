@@ -18,7 +18,7 @@ Step: Identify referring expressions → infer their referents → rewrite the i
 explicit object names."""
 """The wording of appendix C.2, but for its third sentence, which asks for the full chain."""
 
-BEGUN = "Referring expressions:"
+BEGUN = 'Referring expressions of the human pending instruction: "'
 """Ours: begins the chain where the prompt says it begins."""
 LONGEST = 160
 """Tokens of the answer."""

@@ -17,9 +17,9 @@ Step: Identify referring expressions → infer their referents → rewrite the i
 explicit object names."""
 """The wording of appendix C.2."""
 
-BEGUN = 'In the instruction, "'
+BEGUN = 'Referring expressions of the human pending instruction: "'
 """Ours: goes straight to the first expression."""
-LONGEST = 64
+LONGEST = 80
 """Tokens of the answer."""
 
 

@@ -49,19 +49,20 @@ def told_box(instruction: Instruction, method: str, *, turns: int = 0) -> str:
 
 def told_body(instruction: Instruction, *, turns: int = 0) -> str:
     """Return what the planner is told beside what was said, and how that came about."""
-    parts = []
+    parts: list[str] = []
     if instruction.rewritten:
         parts.append(element("p", word_diff(instruction.original, instruction.text)))
+    parts.append(artefacts_html(each for each in instruction.artefacts if each.kind == "note"))
     if instruction.notes:
         parts.append(element("blockquote", text(instruction.notes.strip())))
     if instruction.demonstrations:
         parts.append(folded("Solved examples shown first", instruction.demonstrations))
-    if not parts:
+    if not (instruction.rewritten or instruction.notes or instruction.demonstrations):
         parts.append(element("p", "It left the instruction as it was said.", class_="muted"))
     if turns and not instruction.context:
         words = "The planner is not shown the dialogue."
         parts.append(element("p", words, class_="muted small"))
-    parts.append(artefacts_html(instruction.artefacts))
+    parts.append(artefacts_html(each for each in instruction.artefacts if each.kind != "note"))
     if instruction.prompt:
         parts.append(folded("Asked of the model", instruction.prompt))
         parts.append(folded("Its answer", instruction.answer))

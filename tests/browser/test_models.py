@@ -5,6 +5,7 @@ from itertools import chain, zip_longest
 import pytest
 from playwright.sync_api import expect
 
+from reibench.methods import methods
 from tests.browser import serving
 
 EPISODE = "heat_potato.mixed-noised"
@@ -112,6 +113,17 @@ def test_the_shelf_tells_which_models_are_here(visit):
     expect(demo.page.locator("#shelf input[value='tocc']")).to_be_checked()
     demo.page.keyboard.press("Escape")
     expect(shelf).to_be_hidden()
+
+
+def test_an_address_chooses_the_method_and_the_page_explains_all_of_them(visit):
+    demo = visit(f"?episode={EPISODE}&actor=tocc&method=gated-ap")
+    expect(demo.page.locator(".seg [data-actor=tocc]")).to_have_text("Model + Gated AP")
+    demo.page.click(".pill")
+    shelf = demo.page.locator("#shelf")
+    expect(shelf.locator("input[value='gated-ap']")).to_be_checked()
+    expect(shelf.locator("input[name=method]")).to_have_count(len(methods.names()))
+    expect(shelf).to_contain_text(methods.create("gated-ap").summary)
+    assert "method=gated-ap" in demo.page.url
 
 
 def test_a_restarted_server_finds_the_visitor_where_they_were(visit, tmp_path):

@@ -75,6 +75,9 @@ def test_words_of_the_question_are_no_thought():
 
 
 def test_lists_become_one_line_in_which_nobody_else_speaks(dialogue):
-    backend = ScriptedBackend(["\n- the oval thing: **egg**\n- it: egg"])
+    backend = ScriptedBackend(['the oval thing", "it"\n\n- the oval thing: **egg**\n- it: egg'])
     shown = methods.create("cot").instruct(dialogue, backend)
-    assert shown.notes == "Robot thinks: Referring expressions: the oval thing: egg it: egg"
+    assert shown.notes == (
+        'Robot thinks: Referring expressions of the human pending instruction: "the oval thing", '
+        '"it" the oval thing: egg it: egg'
+    )

@@ -286,6 +286,11 @@ document.addEventListener("pointerover", (event) => {
   for (const spot of document.querySelectorAll(`.plan [data-type="${said.dataset.type}"]`)) spot.classList.add("meant", "chosen");
 });
 
+// an address that names a model or a method chooses it
+for (const name of ["model", "method"]) {
+  const asked = new URLSearchParams(location.search).get(name);
+  if (asked) remember(name, asked);
+}
 setTheme(wanted());
 root.classList.toggle("show-re", recall("marks", false));
 window.addEventListener("load", () => setTheme(wanted()));
