@@ -12,6 +12,9 @@ STOPS = ("\nHuman", "\nRobot", "\nStep:")
 """What a model without a chat template goes on with when it has said what it has to say."""
 MARKS = re.compile(r"^(?:#+\s*|\d+[.)]\s+|[-*•]\s+)+")
 """List marks, which the planner need not see."""
+END = r"(?<!\bDr)(?<!\bMr)(?<!\bMrs)(?<!\bMs)[.!?]"
+"""The end of a sentence, and no title's."""
+BREAK = re.compile(rf"(?<={END})\s+|(?<={END}[\"”])\s+")
 NAME = 3
 """Words that may be a name or an expression, and are no copy of what was said."""
 
@@ -46,6 +49,8 @@ def reasoned(question: str, begun: str, answer: Generation, longest: int) -> str
         kept.pop()
     if not kept or 2 * len(kept) < len(pieces):
         return ""
+    if kept[0] != pieces[0]:
+        return " ".join(kept)
     joint = "" if begun.endswith('"') else " "
     return f"{begun}{joint}{' '.join(kept)}"
 
@@ -58,8 +63,8 @@ def thought(reasoning: str) -> str:
 def _pieces(answer: str, *, cut_off: bool) -> list[str]:
     """Return the sentences of an answer, a line without a full stop being one."""
     lines = [MARKS.sub("", line.strip().replace("**", "")) for line in answer.splitlines()]
-    pieces = [piece for line in lines for piece in re.split(r"(?<=[.!?])[\"”]?\s+", line)]
-    if cut_off and pieces and not re.search(r"[.!?][\"”]?$", pieces[-1]):
+    pieces = [piece for line in lines for piece in BREAK.split(line)]
+    if cut_off and pieces and not re.search(rf"{END}[\"”]?$", pieces[-1]):
         pieces.pop()
     return [piece for piece in pieces if re.search(r"[^\W\d_]{2}", piece)]
 

@@ -17,7 +17,7 @@ Step: Identify referring expressions → infer their referents → rewrite the i
 explicit object names."""
 """The wording of appendix C.2."""
 
-BEGUN = 'Referring expressions of the human pending instruction: "'
+BEGUN = 'In the human pending instruction, the vague referring expression "'
 """Ours: goes straight to the first expression."""
 LONGEST = 80
 """Tokens of the answer."""

@@ -69,9 +69,20 @@ def test_a_thought_that_was_cut_off_ends_with_its_last_whole_sentence():
     assert reasoned("What?", "Thought:", cut, 10).endswith("go to the")
 
 
+def test_a_title_ends_no_sentence_and_quotes_stay_with_theirs():
+    said = 'It is what Dr. Pan had. "Warm the egg." So I go to Dr.'
+    cut = Generation(said, Usage(completion_tokens=9))
+    assert reasoned("What?", "So:", cut, 9) == 'So: It is what Dr. Pan had. "Warm the egg."'
+
+
+def test_what_is_kept_after_a_copy_does_not_hang_on_a_quote_that_was_opened():
+    copy = Generation('I dropped an egg." The oval thing is the egg.')
+    assert reasoned("I dropped an egg.", 'By "', copy, 50) == "The oval thing is the egg."
+
+
 def test_words_of_the_question_are_no_thought():
     answer = Generation("1. I dropped an egg.\n2. The oval thing is the egg.")
-    assert reasoned("I dropped an egg.", "So:", answer, 50) == "So: The oval thing is the egg."
+    assert reasoned("I dropped an egg.", "So:", answer, 50) == "The oval thing is the egg."
 
 
 def test_lists_become_one_line_in_which_nobody_else_speaks(dialogue):
