@@ -10,10 +10,11 @@ from typing import Literal
 from reibench.artefact import Artefact
 from reibench.backends import Backend, Prompt
 from reibench.methods import Instruction
-from reibench.planners import Closing, Decision, Plan, planners
+from reibench.planners import Decision, Plan, planners
 from reibench.planners.attempts import Attempt, Setback, attempts, foreseen, setbacks
+from reibench.planners.checking import check_hand, holding, mended
 from reibench.planners.examples import Example, fixed_set, nearest
-from reibench.planners.graph import Graph, UnusableGraph, grammar, graph_of, mended, read_graph
+from reibench.planners.graph import Graph, UnusableGraph, grammar, graph_of, read_graph
 from reibench.planners.notebook import Notebook
 from reibench.planners.telling import PENDING, told
 from reibench.skill import DONE, Skill
@@ -27,7 +28,6 @@ the graph of what remains, with what was missing first. The graph ends with "don
 """
 GRAPH = "Graph:\n"
 REMAINING = "Graph of what remains:\n"
-CORRECTED = "Graph, corrected:\n"
 STOPS = (DONE, "Human", "\n\n")
 ASKED_AGAIN = 2
 """How often the model is told what is wrong with its graph, and asked again."""
@@ -97,33 +97,35 @@ class GraphWriter:
 
     def first(self) -> Graph:
         """Return the graph for the whole task; without sub-tasks if the model fails to write it."""
-        return self._written(GRAPH, least=1)
+        return self._written(GRAPH, (), least=1)
 
     def remaining(self, setback: Setback) -> Graph:
         """Return the graph of what remains after a failure, which may be nothing."""
-        return self._written(situation(setback), least=0)
+        return self._written(situation(setback), setback.done, least=0)
 
-    def _written(self, question: str, *, least: int) -> Graph:
-        text = f"{self._prefix}{self._task}{question}"
+    def _written(self, question: str, done: Sequence[Skill], *, least: int) -> Graph:
+        minded = ""
         allowed = grammar(self._skills, least=least)
         for _ in range(ASKED_AGAIN + 1):
+            text = f"{self._prefix}{self._task}{minded}{question}"
             prompt = Prompt(text, fixed=len(self._prefix))
             answer = self._notebook.generate(
                 prompt, "Graph as written", most=LONGEST, stop=STOPS, grammar=allowed
             )
             try:
-                return self._usable(answer, least)
+                return self._usable(answer, done, least)
             except UnusableGraph as problem:
                 self._notebook.note("Graph refused", str(problem))
-                text += f"{answer.strip()}\n{DONE}\nWrong: {problem}\n{CORRECTED}"
+                minded += complaint(problem)
         self._notebook.note("Given up", f"{ASKED_AGAIN + 1} graphs in a row were refused.")
         return Graph(())
 
-    def _usable(self, answer: str, least: int) -> Graph:
+    def _usable(self, answer: str, done: Sequence[Skill], least: int) -> Graph:
         graph = read_graph(answer, self._skills)
         if len(graph.nodes) < least:
             raise UnusableGraph("There is no sub-task; they read like '1: find a mug'.")
         whole = mended(graph)
+        check_hand(whole, holding(done))
         for node in whole.nodes:
             if node.added:
                 after = ", ".join(map(str, node.added))
@@ -137,21 +139,37 @@ def situation(setback: Setback) -> str:
     expected = ", ".join(skill.text for skill in setback.expected)
     failed = setback.failed
     return (
-        f"Done: {done}\nFailed: {failed.skill} ({failed.failure})\n"
-        f"Planned: {expected}\n{REMAINING}"
+        f"Done: {done}\nFailed: {failed.skill} ({failed.failure})\nPlanned: {expected}\n{REMAINING}"
     )
+
+
+def complaint(problem: UnusableGraph) -> str:
+    """Return what stands before the question when it is asked again."""
+    return f"Mind: {problem}\n"
 
 
 def introduction(examples: Sequence[Example]) -> str:
     """Return what the prompt begins with, the same for every instruction of a kind."""
-    return "\n".join((HEADER, *map(_solved, examples), ""))
+    solved = (_solved(one, minding=number % 2 == 1) for number, one in enumerate(examples))
+    return "\n".join((HEADER, *solved, ""))
 
 
-def _solved(example: Example) -> str:
+def _solved(example: Example, *, minding: bool) -> str:
+    """Return an example as the model meets it, after a complaint if `minding`."""
     tried = attempts(example)
     task = f"{PENDING}{example.instruction}\n"
-    text = f"{task}{GRAPH}{graph_of(foreseen(tried)).written()}{DONE}\n"
+    graph = graph_of(foreseen(tried))
+    text = f"{task}{_minded(graph) if minding else ''}{GRAPH}{graph.written()}{DONE}\n"
     for setback in setbacks(tried):
         graph = graph_of(setback.remaining)
         text += f"\n{task}{situation(setback)}{graph.written()}{DONE}\n"
     return text
+
+
+def _minded(graph: Graph) -> str:
+    """Return the complaint about a graph that forgets how its first thing gets into the hand."""
+    try:
+        check_hand(graph_of(graph.skills("pending")[2:]), "")
+    except UnusableGraph as problem:
+        return complaint(problem)
+    return ""

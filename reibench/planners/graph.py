@@ -1,4 +1,4 @@
-"""Graphs of sub-tasks: how they are written, read, checked, mended and carried out."""
+"""Graphs of sub-tasks: how they are written, read and carried out."""
 
 import json
 import re
@@ -16,7 +16,6 @@ State = Literal["pending", "now", "done", "failed"]
 LINE = re.compile(r"^\W*(\d+)\s*[.:)\]\-]*\s*(\D.*)$")
 MOST_NODES = 30
 """Sub-tasks a graph may have: the step budget."""
-SWITCHED = (Verb.OPEN, Verb.CLOSE, Verb.TURN_ON, Verb.TURN_OFF)
 
 
 class UnusableGraph(ReibenchError):
@@ -51,9 +50,7 @@ class Graph:
     def marked(self, node_id: int, state: State) -> "Graph":
         """Return the graph with one sub-task in another state."""
         return Graph(
-            tuple(
-                replace(node, state=state) if node.id == node_id else node for node in self.nodes
-            )
+            tuple(replace(node, state=state) if node.id == node_id else node for node in self.nodes)
         )
 
     def skills(self, *states: State) -> tuple[Skill, ...]:
@@ -165,49 +162,6 @@ def _check_cycles(graph: Graph) -> None:
         raise UnusableGraph(f"Sub-tasks wait for each other in a circle: {cycle}.") from None
 
 
-def mended(graph: Graph) -> Graph:
-    """Return `graph` with the dependencies that the skills themselves imply and it leaves out.
-
-    A thing is used after the robot went to it, put down after it was picked up, and a door or
-    switch is used after what was done with it before.
-    """
-    after = {node.id: list(node.after) for node in graph.nodes}
-    added: dict[int, list[int]] = {node.id: [] for node in graph.nodes}
-    for at, node in enumerate(graph.nodes):
-        for needed in _implied(node.skill, graph.nodes[:at]):
-            if not _leads(needed.id, node.id, after) and not _leads(node.id, needed.id, after):
-                after[node.id].append(needed.id)
-                added[node.id].append(needed.id)
-    return Graph(
-        tuple(
-            replace(node, after=tuple(after[node.id]), added=tuple(added[node.id]))
-            for node in graph.nodes
-        )
-    )
-
-
-def _implied(skill: Skill, before: Sequence[Node]) -> Iterator[Node]:
-    """Yield the latest of the sub-tasks written `before` that `skill` needs, by each rule."""
-    if skill.verb is not Verb.FIND:
-        yield from _latest(before, (Verb.FIND,), "")
-    if skill.verb is Verb.PUT_DOWN:
-        yield from _latest(before, (Verb.PICK_UP,), skill.object)
-    if skill.verb in SWITCHED:
-        yield from _latest(before, SWITCHED, skill.object)
-
-
-def _latest(before: Sequence[Node], verbs: Sequence[Verb], name: str) -> Iterator[Node]:
-    for node in reversed(before):
-        if node.skill.verb in verbs and node.skill.object == (name or node.skill.object):
-            yield node
-            return
-
-
-def _leads(first: int, last: int, after: dict[int, list[int]]) -> bool:
-    """Whether `last` waits for `first`, directly or through others."""
-    return first in after[last] or any(_leads(first, each, after) for each in after[last])
-
-
 def graph_of(skills: Sequence[Skill]) -> Graph:
     """Return an example plan as a graph: what it does at a place is a chain.
 
@@ -218,9 +172,9 @@ def graph_of(skills: Sequence[Skill]) -> Graph:
     for number, skill in enumerate(skills, 1):
         after = [number - 1] if nodes and not _prepares(skills[number - 1 : number + 1]) else []
         chain = {node.id: list(node.after) for node in nodes}
-        held = _latest(nodes, (Verb.PICK_UP,), skill.object)
+        held = latest(nodes, (Verb.PICK_UP,), skill.object)
         for each in held if skill.verb is Verb.PUT_DOWN else ():
-            if each.id not in after and not _leads(each.id, number - 1, chain):
+            if each.id not in after and not leads(each.id, number - 1, chain):
                 after.insert(0, each.id)
         nodes.append(Node(number, skill, tuple(after)))
     return Graph(tuple(nodes))
@@ -229,6 +183,19 @@ def graph_of(skills: Sequence[Skill]) -> Graph:
 def _prepares(trip: Sequence[Skill]) -> bool:
     goes = trip[0].verb is Verb.FIND
     return goes and len(trip) > 1 and trip[1].verb in (Verb.OPEN, Verb.TURN_ON)
+
+
+def latest(before: Sequence[Node], verbs: Sequence[Verb], name: str) -> Iterator[Node]:
+    """Yield the last of `before` with one of `verbs`, on `name` unless that is empty."""
+    for node in reversed(before):
+        if node.skill.verb in verbs and node.skill.object == (name or node.skill.object):
+            yield node
+            return
+
+
+def leads(first: int, last: int, after: dict[int, list[int]]) -> bool:
+    """Whether `last` waits for `first`, directly or through others."""
+    return first in after[last] or any(leads(first, each, after) for each in after[last])
 
 
 def grammar(skills: Sequence[Skill], *, least: int = 1) -> str:

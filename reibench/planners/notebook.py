@@ -49,16 +49,12 @@ class Notebook:
 
     def closing(self, *made: Artefact) -> Closing:
         """Return what led to saying done, and begin a new page."""
-        closing = Closing(
-            self._prompt, self._usage, self._alternatives, (*self._artefacts, *made)
-        )
+        closing = Closing(self._prompt, self._usage, self._alternatives, (*self._artefacts, *made))
         self._prompt, self._usage, self._alternatives = "", Usage(), ()
         self._artefacts = []
         return closing
 
-    def _asked(
-        self, prompt: str, usage: Usage, alternatives: tuple[Alternative, ...]
-    ) -> None:
+    def _asked(self, prompt: str, usage: Usage, alternatives: tuple[Alternative, ...]) -> None:
         if self._prompt:
             earlier = Artefact("prompt", "Earlier prompt", self._prompt)
             self._artefacts.append(earlier)

@@ -58,9 +58,7 @@ def _closes(following: Sequence[Attempt]) -> bool:
     return bool(following) and following[0].skill.verb is Verb.CLOSE
 
 
-def _reached(
-    task_type: TaskType, begun: Sequence[Attempt], following: Sequence[Attempt]
-) -> str:
+def _reached(task_type: TaskType, begun: Sequence[Attempt], following: Sequence[Attempt]) -> str:
     """Return the sub-goal that the last step reaches; empty if it only leads there."""
     verb, thing = begun[-1].skill.verb, in_words(begun[-1].skill.object)
     if verb is Verb.TURN_ON and task_type is TaskType.EXAMINE:
