@@ -1,0 +1,62 @@
+"""Asking a model to reason about an instruction, and keeping what of its answer is of use."""
+
+import re
+from collections.abc import Sequence
+
+from reibench.backends import Backend, Generation, Prompt
+from reibench.methods.wording import THOUGHT
+
+OPENING = 'The "Human Pending Instruction" may contain vague referring expressions.'
+"""Begins the prompt of appendix C.2."""
+STOPS = ("\nHuman", "\nRobot", "\nStep:")
+"""What a model without a chat template goes on with when it has said what it has to say."""
+MARKS = re.compile(r"^(?:#+\s*|\d+[.)]\s+|[-*•]\s+)+")
+"""List marks, which the planner need not see."""
+
+
+def ask(
+    question: str, begun: str, backend: Backend, *, longest: int, stop: Sequence[str] = STOPS
+) -> Generation:
+    """Ask `question`; the answer goes on from `begun`, within `longest` tokens.
+
+    The beginning makes models of both kinds answer to the point: one with a chat template finds
+    its turn begun, one without reads it as a form to be filled in.
+    """
+    prompt = Prompt(f"{question}\n", chat=True, begun=begun)
+    return backend.generate(prompt, max_tokens=longest, stop=stop)
+
+
+def reasoned(question: str, begun: str, answer: Generation, longest: int) -> str:
+    """Return the whole sentences of an answer in one line, `begun` before them; none if it rambles.
+
+    A sentence that was cut off by the limit is left out, and so are those said before, in the
+    question or in the answer. An answer that for the greater part repeats is not worth keeping.
+    """
+    known = _plain(question)
+    kept: list[str] = []
+    pieces = _pieces(answer.text, cut_off=answer.usage.completion_tokens >= longest)
+    for piece in pieces:
+        if _plain(piece) not in known and piece not in kept:
+            kept.append(piece)
+    if not kept or 2 * len(kept) < len(pieces):
+        return ""
+    joint = "" if begun.endswith('"') else " "
+    return f"{begun}{joint}{' '.join(kept)}"
+
+
+def thought(reasoning: str) -> str:
+    """Return the robot's note, a line for the planner's prompt; empty if there is nothing in it."""
+    return f"{THOUGHT}{reasoning}" if reasoning else ""
+
+
+def _pieces(answer: str, *, cut_off: bool) -> list[str]:
+    """Return the sentences of an answer, a line without a full stop being one."""
+    lines = [MARKS.sub("", line.strip().replace("**", "")) for line in answer.splitlines()]
+    pieces = [piece for line in lines for piece in re.split(r"(?<=[.!?])[\"”]?\s+", line)]
+    if cut_off and pieces and not re.search(r"[.!?][\"”]?$", pieces[-1]):
+        pieces.pop()
+    return [piece for piece in pieces if re.search(r"[^\W\d_]{2}", piece)]
+
+
+def _plain(text: str) -> str:
+    return " ".join(re.findall(r"\w+", text.lower()))
