@@ -14,6 +14,7 @@ from reibench.skill import SKILLS
 from reibench.worlds import worlds
 from reibench.worlds.naming import create_world
 
+GRAPH = "1: find a potato\n2: pick up the potato after 1\ndone"
 ANSWERS = [" find a potato", " pick up the potato", " done"]
 
 
@@ -29,7 +30,8 @@ def obliging():
             self.skills = iter(ANSWERS)
 
         def generate(self, prompt, *, max_tokens=128, stop=(), grammar=""):
-            return Generation("Heat the potato.")
+            asked_for_graph = prompt.text.endswith("Graph:\n")
+            return Generation(GRAPH if asked_for_graph else "Heat the potato.")
 
         def choose(self, prompt, options):
             if " done" not in options:

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from reibench.planners.examples import Example
-from reibench.skill import Skill, parse_skill
+from reibench.skill import Skill, Verb, parse_skill
 
 STEP = re.compile(r"([^,(]+?)(?: \(this action failed: ([^)]*)\))?(?:, |$)")
 
@@ -20,15 +20,17 @@ class Attempt:
 
 @dataclass(frozen=True)
 class Setback:
-    """A place in an example plan where a skill fails."""
+    """A moment when a skill has failed."""
 
     done: tuple[Skill, ...]
     """What had worked before."""
     failed: Attempt
     expected: tuple[Skill, ...]
     """What was still to follow, the failed skill first, as it was thought before the failure."""
-    remaining: tuple[Skill, ...]
-    """What is to be done instead, as far as one knows after the failure."""
+
+
+OUTSET = Setback((), Attempt(Skill(Verb.FIND, "")), ())
+"""Before anything was done: nothing failed."""
 
 
 def attempts(example: Example) -> tuple[Attempt, ...]:
@@ -49,15 +51,15 @@ def foreseen(tried: Sequence[Attempt]) -> tuple[Skill, ...]:
     return tuple(skills)
 
 
-def setbacks(tried: Sequence[Attempt]) -> Iterator[Setback]:
-    """Yield each failure in a plan, with what was done and what remains."""
+def setbacks(tried: Sequence[Attempt]) -> Iterator[tuple[Setback, tuple[Skill, ...]]]:
+    """Yield each failure in a plan, and what remains then, as far as one knows by it."""
     for at, attempt in enumerate(tried):
         if attempt.failure:
             done = tuple(each.skill for each in tried[:at] if not each.failure)
             mended = _mended(tried, at)
             mending = tuple(each.skill for each in tried[at + 1 : mended])
             expected = foreseen(tried[mended:])
-            yield Setback(done, attempt, expected, (*mending, *expected))
+            yield Setback(done, attempt, expected), (*mending, *expected)
 
 
 def _mended(tried: Sequence[Attempt], at: int) -> int:

@@ -11,8 +11,8 @@ from reibench.artefact import Artefact
 from reibench.backends import Backend, Prompt
 from reibench.methods import Instruction
 from reibench.planners import Decision, Plan, planners
-from reibench.planners.attempts import Attempt, Setback, attempts, foreseen, setbacks
-from reibench.planners.checking import check_hand, holding, mended
+from reibench.planners.attempts import OUTSET, Attempt, Setback, attempts, foreseen, setbacks
+from reibench.planners.checking import check_conditions, mended
 from reibench.planners.examples import Example, fixed_set, nearest
 from reibench.planners.graph import Graph, UnusableGraph, grammar, graph_of, read_graph
 from reibench.planners.notebook import Notebook
@@ -60,7 +60,7 @@ class DagPlan:
             if failure is None:
                 return notebook.closing(*_shown(graph))
             expected = graph.skills("failed", "pending")
-            graph = writer.remaining(Setback(tuple(done), failure, expected, ()))
+            graph = writer.remaining(Setback(tuple(done), failure, expected))
         graph, failure = yield from _carried_out(graph, done, notebook)
         if failure is not None:
             notebook.note("Given up", f"{REPLANNED} graphs of what remained were tried.")
@@ -97,15 +97,15 @@ class GraphWriter:
 
     def first(self) -> Graph:
         """Return the graph for the whole task; without sub-tasks if the model fails to write it."""
-        return self._written(GRAPH, (), least=1)
+        return self._written(GRAPH, None)
 
     def remaining(self, setback: Setback) -> Graph:
         """Return the graph of what remains after a failure, which may be nothing."""
-        return self._written(situation(setback), setback.done, least=0)
+        return self._written(situation(setback), setback)
 
-    def _written(self, question: str, done: Sequence[Skill], *, least: int) -> Graph:
+    def _written(self, question: str, setback: Setback | None) -> Graph:
         minded = ""
-        allowed = grammar(self._skills, least=least)
+        allowed = grammar(self._skills, least=0 if setback else 1)
         for _ in range(ASKED_AGAIN + 1):
             text = f"{self._prefix}{self._task}{minded}{question}"
             prompt = Prompt(text, fixed=len(self._prefix))
@@ -113,19 +113,19 @@ class GraphWriter:
                 prompt, "Graph as written", most=LONGEST, stop=STOPS, grammar=allowed
             )
             try:
-                return self._usable(answer, done, least)
+                return self._usable(answer, setback)
             except UnusableGraph as problem:
                 self._notebook.note("Graph refused", str(problem))
                 minded += complaint(problem)
         self._notebook.note("Given up", f"{ASKED_AGAIN + 1} graphs in a row were refused.")
         return Graph(())
 
-    def _usable(self, answer: str, done: Sequence[Skill], least: int) -> Graph:
+    def _usable(self, answer: str, setback: Setback | None) -> Graph:
         graph = read_graph(answer, self._skills)
-        if len(graph.nodes) < least:
+        if not graph.nodes and not setback:
             raise UnusableGraph("There is no sub-task; they read like '1: find a mug'.")
         whole = mended(graph)
-        check_hand(whole, holding(done))
+        check_conditions(whole, setback or OUTSET)
         for node in whole.nodes:
             if node.added:
                 after = ", ".join(map(str, node.added))
@@ -160,8 +160,8 @@ def _solved(example: Example, *, minding: bool) -> str:
     task = f"{PENDING}{example.instruction}\n"
     graph = graph_of(foreseen(tried))
     text = f"{task}{_minded(graph) if minding else ''}{GRAPH}{graph.written()}{DONE}\n"
-    for setback in setbacks(tried):
-        graph = graph_of(setback.remaining)
+    for setback, remaining in setbacks(tried):
+        graph = graph_of(remaining)
         text += f"\n{task}{situation(setback)}{graph.written()}{DONE}\n"
     return text
 
@@ -169,7 +169,7 @@ def _solved(example: Example, *, minding: bool) -> str:
 def _minded(graph: Graph) -> str:
     """Return the complaint about a graph that forgets how its first thing gets into the hand."""
     try:
-        check_hand(graph_of(graph.skills("pending")[2:]), "")
+        check_conditions(graph_of(graph.skills("pending")[2:]), OUTSET)
     except UnusableGraph as problem:
         return complaint(problem)
     return ""

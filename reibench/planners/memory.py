@@ -88,7 +88,9 @@ class MemoryBank:
     def _heard(self, message: str) -> None:
         if found := INSIDE.match(message):
             thing, where = _spoken(found[1]), _spoken(found[2])
-            if where != "robot":  # "… is in the robot's hand"
+            if where == "robot":  # "the apple is in the robot's hand"
+                self.holding = thing
+            else:
                 self.places[thing] = f"in the {where}"
                 _remove(self.opened, where)
         if found := SHUT.match(message):

@@ -17,7 +17,7 @@ from reibench.view.picker import picker
 from reibench.view.rewrite import rewritten_box
 from reibench.view.room_panel import room_loading, room_panel
 from reibench.view.side_by_side import side_by_side
-from reibench.view.topbar import METHOD_NAMES, Actor, ModelStatus, topbar
+from reibench.view.topbar import METHOD_NAMES, PLANNER_NAMES, Actor, ModelStatus, topbar
 from reibench.watching import Sitting
 from reibench.worlds import Event
 
@@ -43,6 +43,7 @@ class Setting:
     catalogue: Catalogue
     episode: Episode
     model: ModelStatus
+    planner: str
     method: str
     links: Sequence[tuple[str, str]]
 
@@ -127,9 +128,10 @@ def person_step(sitting: Sitting, *, notice: str = "", solution: Sequence[Skill]
     )
 
 
-def planner_name(actor: Actor, method: str) -> str:
+def planner_name(actor: Actor, planner: str, method: str) -> str:
     """Return what the page calls the planner that acts."""
-    return f"SayCan + {METHOD_NAMES[method]}" if actor == "tocc" else "SayCan"
+    name = PLANNER_NAMES[planner]
+    return f"{name} + {METHOD_NAMES[method]}" if actor == "tocc" else name
 
 
 def model_screen(
@@ -161,7 +163,7 @@ def model_step(
     method = METHOD_NAMES[setting.method] if actor == "tocc" else ""
     scenes = scenes_of(run) if run else [own.start.scene]
     cameras = camera_strip(run) if run else camera_strip(own, step=0)
-    title = planner_name(actor, setting.method)
+    title = planner_name(actor, setting.planner, setting.method)
     panel = model_panel(title, setting.model.name, run, ready=ready, notice=notice)
     told = run.instruction if run else None
     return Screen(
@@ -194,4 +196,7 @@ def side_stage(
 ) -> str:
     """Return the comparison alone."""
     method = METHOD_NAMES[setting.method]
-    return side_by_side(setting.episode, *runs, method=method, row=row, notice=notice)
+    planner = PLANNER_NAMES[setting.planner]
+    return side_by_side(
+        setting.episode, *runs, planner=planner, method=method, row=row, notice=notice
+    )

@@ -5,8 +5,13 @@ from dataclasses import dataclass
 
 from reibench.models import Shelved, in_megabytes
 from reibench.view.markup import classes, element, number, text
-from reibench.view.topbar import METHOD_NAMES
+from reibench.view.topbar import METHOD_NAMES, PLANNER_NAMES
 
+PLANNER_NOTES = {
+    "saycan": "one choice among the skills after another",
+    "dag-plan": "a graph of sub-tasks, written at once and again after a failure",
+    "hpe": "sub-goals first, then the steps of each, with a memory bank",
+}
 METHOD_NOTES = {
     "tocc": "the paper's: the model rewrites the instruction freely",
     "tocc-span": "ours: the model only says what each vague expression stands for",
@@ -27,6 +32,7 @@ def shelf(
     models: Sequence[Shelved],
     *,
     chosen: str,
+    planner: str,
     method: str,
     ready: bool = False,
     fetching: Mapping[str, Fetching] | None = None,
@@ -36,6 +42,7 @@ def shelf(
     Args:
         models: what is on the shelf.
         chosen: name of the model in use.
+        planner: which planner acts.
         method: which variant of TOCC is used.
         ready: whether the chosen model is loaded.
         fetching: models on their way, by name.
@@ -54,8 +61,10 @@ def shelf(
         heading,
         element("h3", "Language model", class_="label"),
         *rows,
+        element("h3", "Planner", class_="label"),
+        *_variants("planner", planner, PLANNER_NAMES, PLANNER_NOTES),
         element("h3", "How TOCC rewrites", class_="label"),
-        *_variants(method),
+        *_variants("method", method, METHOD_NAMES, METHOD_NOTES),
         element("h3", "Keys", class_="label"),
         _keys(),
         class_="sheet",
@@ -65,20 +74,18 @@ def shelf(
     )
 
 
-def _variants(method: str) -> list[str]:
-    """Return the ways TOCC can be done, as one choice."""
+def _variants(
+    what: str, chosen: str, names: Mapping[str, str], notes: Mapping[str, str]
+) -> list[str]:
+    """Return the ways something can be done, as one choice."""
     return [
         element(
             "label",
-            _radio("method", name, checked=name == method),
-            element(
-                "span",
-                element("b", text(METHOD_NAMES[name])),
-                element("small", text(METHOD_NOTES[name])),
-            ),
+            _radio(what, name, checked=name == chosen),
+            element("span", element("b", text(title)), element("small", text(notes[name]))),
             class_="option",
         )
-        for name in METHOD_NAMES
+        for name, title in names.items()
     ]
 
 
