@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from reibench.planners import planners
 from reibench.view.topbar import ACTORS, METHOD_NAMES, PLANNER_NAMES, Actor
 
 _TOKEN_LENGTH = 22
@@ -60,7 +61,10 @@ class Ask:
             seconds=float(seconds) if isinstance(seconds, int | float) and seconds >= 0 else None,
             skill=_word(data.get("skill")),
             model=_word(data.get("model")),
-            planner=next((p for p in PLANNER_NAMES if p == data.get("planner")), DEFAULT_PLANNER),
+            planner=next(
+                (p for p in PLANNER_NAMES if p == data.get("planner") and p in planners.names()),
+                DEFAULT_PLANNER,
+            ),
             method=next((m for m in METHOD_NAMES if m == data.get("method")), DEFAULT_METHOD),
             solution=data.get("solution") is True,
             as_actor=actor_called(data.get("as")),

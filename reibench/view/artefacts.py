@@ -73,7 +73,7 @@ def thoughts(step: Step, before: str = "") -> str:
         parts += folded("Prompt", _new(step.decision.prompt, before), class_="prompt")
     if not parts:
         return ""
-    return element("details", element("summary", "What led to it"), parts, class_="thoughts")
+    return element("details", element("summary", "Why"), parts, class_="thoughts")
 
 
 def _new(prompt: str, before: str) -> str:

@@ -6,11 +6,11 @@ from graphlib import TopologicalSorter
 from reibench.planners.graph import Graph, Node
 from reibench.view.markup import classes, element, text
 
-WIDTH_OF_LETTER = 6.9
+WIDTH_OF_LETTER = 5.9
 MARGIN = 3.0
-HEIGHT = 26.0
-GAP = 18.0
-ASIDE = 16.0
+HEIGHT = 25.0
+GAP = 15.0
+ASIDE = 12.0
 """Between two branches."""
 SIGNS = {
     "pending": "",
@@ -85,8 +85,8 @@ def arranged(graph: Graph) -> Layout:
         while (column, layers[node.id]) in places.values() or _passed(column, node, places, layers):
             column += 1
         places[node.id] = (column, layers[node.id])
-    longest = max(len(f"{node.id} {node.skill}") for node in graph.nodes)
-    return Layout(places, longest * WIDTH_OF_LETTER + 34)
+    longest = max(len(node.skill.text) for node in graph.nodes)
+    return Layout(places, longest * WIDTH_OF_LETTER + 46)
 
 
 def _passed(
@@ -129,9 +129,9 @@ def _node(layout: Layout, node: Node) -> str:
     x, y = layout.top_of(node.id)
     left, middle = x - layout.width / 2, y + HEIGHT / 2
     box = element("rect", x=left, y=y, width=layout.width, height=HEIGHT, rx=7)
-    number = element("text", str(node.id), x=left + 9, y=middle + 4.2, class_="id")
-    words = element("text", text(node.skill), x=left + 28, y=middle + 4.4)
-    place = f"translate({left + layout.width - 13:.1f} {middle:.1f})"
+    number = element("text", str(node.id), x=left + 7, y=middle + 4, class_="id")
+    words = element("text", text(node.skill), x=left + 24, y=middle + 4.2)
+    place = f"translate({left + layout.width - 12:.1f} {middle:.1f})"
     sign = element("path", d=SIGNS[node.state], transform=place, class_="sign")
     drawn = sign if SIGNS[node.state] else ""
     return element("g", box, number, words, drawn, class_=f"node {node.state}")

@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from reibench.models import Shelved, in_megabytes
+from reibench.planners import planners
 from reibench.view.markup import classes, element, number, text
 from reibench.view.topbar import METHOD_NAMES, PLANNER_NAMES
 
@@ -11,6 +12,7 @@ PLANNER_NOTES = {
     "saycan": "one choice among the skills after another",
     "dag-plan": "a graph of sub-tasks, written at once and again after a failure",
     "hpe": "sub-goals first, then the steps of each, with a memory bank",
+    "llm-p": "a goal in PDDL, which a classical planner solves",
 }
 METHOD_NOTES = {
     "tocc": "the paper's: the model rewrites the instruction freely",
@@ -62,7 +64,7 @@ def shelf(
         element("h3", "Language model", class_="label"),
         *rows,
         element("h3", "Planner", class_="label"),
-        *_variants("planner", planner, PLANNER_NAMES, PLANNER_NOTES),
+        *_variants("planner", planner, _offered(), PLANNER_NOTES),
         element("h3", "How TOCC rewrites", class_="label"),
         *_variants("method", method, METHOD_NAMES, METHOD_NOTES),
         element("h3", "Keys", class_="label"),
@@ -72,6 +74,11 @@ def shelf(
         aria_label="Models and settings",
         id="shelf",
     )
+
+
+def _offered() -> dict[str, str]:
+    """Return the planners there are to choose from."""
+    return {name: PLANNER_NAMES[name] for name in PLANNER_NAMES if name in planners.names()}
 
 
 def _variants(

@@ -18,8 +18,8 @@ ACTOR_NAMES: dict[Actor, str] = {
     "tocc": "Model + TOCC",
     "side": "Side by side",
 }
-PLANNER_NAMES = {"saycan": "SayCan", "dag-plan": "DAG-Plan", "hpe": "HPE"}
-"""Planners a visitor can choose, and what the page calls them."""
+PLANNER_NAMES = {"saycan": "SayCan", "dag-plan": "DAG-Plan", "hpe": "HPE", "llm-p": "LLM+P"}
+"""What the page calls planners that ask a model."""
 METHOD_NAMES = {"tocc": "TOCC", "tocc-span": "TOCC-span"}
 """Variants of TOCC a visitor can choose, and what the page calls them."""
 
