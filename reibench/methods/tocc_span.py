@@ -144,9 +144,9 @@ def _chosen(choice: Selection) -> str:
     """Return what was chosen, or nothing if the model is sure that it is none of the options."""
     if choice.text != NONE:
         return choice.text.strip()
-    none = next(other for other in choice.alternatives if other.text == NONE)
+    none = next((other for other in choice.alternatives if other.text == NONE), None)
     others = [other.text for other in choice.alternatives if other.text != NONE]
-    if none.probability >= SURE or not others:
+    if none is None or none.probability >= SURE or not others:
         return ""
     return others[0].strip()
 
