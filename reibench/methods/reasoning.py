@@ -12,6 +12,8 @@ STOPS = ("\nHuman", "\nRobot", "\nStep:")
 """What a model without a chat template goes on with when it has said what it has to say."""
 MARKS = re.compile(r"^(?:#+\s*|\d+[.)]\s+|[-*•]\s+)+")
 """List marks, which the planner need not see."""
+NAME = 3
+"""Words that may be a name or an expression, and are no copy of what was said."""
 
 
 def ask(
@@ -30,14 +32,18 @@ def reasoned(question: str, begun: str, answer: Generation, longest: int) -> str
     """Return the whole sentences of an answer in one line, `begun` before them; none if it rambles.
 
     A sentence that was cut off by the limit is left out, and so are those said before, in the
-    question or in the answer. An answer that for the greater part repeats is not worth keeping.
+    question or in the answer, and announcements of something that does not come. An answer that
+    for the greater part repeats is not worth keeping.
     """
+    pieces = _pieces(answer.text, cut_off=answer.usage.completion_tokens >= longest)
     known = _plain(question)
     kept: list[str] = []
-    pieces = _pieces(answer.text, cut_off=answer.usage.completion_tokens >= longest)
     for piece in pieces:
-        if _plain(piece) not in known and piece not in kept:
+        copied = _plain(piece) in known and len(piece.split()) > NAME
+        if not copied and piece not in kept:
             kept.append(piece)
+    if kept and kept[-1].endswith(":"):
+        kept.pop()
     if not kept or 2 * len(kept) < len(pieces):
         return ""
     joint = "" if begun.endswith('"') else " "

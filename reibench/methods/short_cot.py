@@ -18,23 +18,23 @@ explicit object names."""
 """The wording of appendix C.2."""
 
 BEGUN = 'In the instruction, "'
-"""Ours: makes the step one line."""
+"""Ours: goes straight to the first expression."""
 LONGEST = 64
 """Tokens of the answer."""
 
 
 @methods.register("short-cot")
 class ShortChainOfThought:
-    """Let the model think one line; the planner sees it after the dialogue and instruction."""
+    """Let the model think briefly; the planner sees it after the dialogue and instruction."""
 
     title = "Short CoT"
-    summary = "the model thinks one line about what is meant; the planner reads that too"
+    summary = "the model thinks briefly about what is meant; the planner reads that too"
 
     def instruct(self, dialogue: Dialogue, backend: Backend) -> Instruction:
-        """Return the instruction as it was said, with the line the model thought as a note."""
+        """Return the instruction as it was said, with what the model thought as a note."""
         said = dialogue.instruction.text
         question = PROMPT.format(conversation=conversation(dialogue))
-        answer = ask(question, BEGUN, backend, longest=LONGEST, stop=("\n",))
+        answer = ask(question, BEGUN, backend, longest=LONGEST)
         return Instruction(
             said,
             said,

@@ -5,8 +5,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from reibench.planners import planners
-from reibench.view.topbar import ACTORS, METHOD_NAMES, PLANNER_NAMES, Actor
+from reibench.methods import methods
+from reibench.view.topbar import ACTORS, Actor, offered_planners
 
 _TOKEN_LENGTH = 22
 DEFAULT_PLANNER = "saycan"
@@ -62,10 +62,9 @@ class Ask:
             skill=_word(data.get("skill")),
             model=_word(data.get("model")),
             planner=next(
-                (p for p in PLANNER_NAMES if p == data.get("planner") and p in planners.names()),
-                DEFAULT_PLANNER,
+                (p for p in offered_planners() if p == data.get("planner")), DEFAULT_PLANNER
             ),
-            method=next((m for m in METHOD_NAMES if m == data.get("method")), DEFAULT_METHOD),
+            method=next((m for m in methods.names() if m == data.get("method")), DEFAULT_METHOD),
             solution=data.get("solution") is True,
             as_actor=actor_called(data.get("as")),
             kind=_word(data.get("kind")),

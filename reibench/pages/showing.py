@@ -1,6 +1,7 @@
 """Which screen answers what was asked."""
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 
 from reibench import models
 from reibench.errors import ReibenchError, StaleStep
@@ -77,9 +78,12 @@ class Showing:
 
     def watching(self, ask: Ask, watch: Iterator[Sitting]) -> Iterator[Screen]:
         """Yield what each thing a planner does changes."""
-        setting, sitting = self.setting(ask), None
+        setting, sitting, talk = self.setting(ask), None, None
         for sitting in watch:
-            yield model_step(setting, ask.actor, sitting, sitting, ready=True)
+            screen = model_step(setting, ask.actor, sitting, sitting, ready=True)
+            # what somebody has unfolded in an unchanged dialogue stays unfolded
+            yield screen if screen.talk != talk else replace(screen, talk=None)
+            talk = screen.talk
         if sitting is not None:  # the model is loaded by now, which the bar should say
             yield Screen(bar=self.setting(ask, sitting).bar(sitting.start, ask.actor))
 

@@ -41,6 +41,9 @@ LONGEST = 480
 class DagPlan:
     """Write the whole plan as a graph, carry it out, and write what remains when it fails."""
 
+    title = "DAG-Plan"
+    summary = "a graph of sub-tasks, written at once, and again after a failure"
+
     def __init__(
         self, backend: Backend, *, examples: Literal["nearest", "fixed"] = "nearest"
     ) -> None:

@@ -40,6 +40,9 @@ LONGEST = 96
 class HierarchicalPlanningAndExecution:
     """Write sub-goals, then choose step by step with a memory bank in the prompt."""
 
+    title = "HPE"
+    summary = "sub-goals first, then the steps of each, with a memory bank"
+
     def __init__(
         self, backend: Backend, *, examples: Literal["nearest", "fixed"] = "nearest"
     ) -> None:

@@ -14,10 +14,10 @@ from reibench.view.dialogue import conversation
 from reibench.view.icons import sprite
 from reibench.view.markup import element
 from reibench.view.picker import picker
-from reibench.view.rewrite import rewritten_box
+from reibench.view.rewrite import told_box
 from reibench.view.room_panel import room_loading, room_panel
 from reibench.view.side_by_side import side_by_side
-from reibench.view.topbar import METHOD_NAMES, PLANNER_NAMES, Actor, ModelStatus, topbar
+from reibench.view.topbar import Actor, ModelStatus, method_title, planner_title, topbar
 from reibench.watching import Sitting
 from reibench.worlds import Event
 
@@ -50,7 +50,10 @@ class Setting:
     def bar(self, start: Event, actor: Actor) -> str:
         """Return the top of the page."""
         scene = start.scene
-        return topbar(self.catalogue, self.episode, scene, actor, self.model, self.links)
+        method = method_title(self.method)
+        return topbar(
+            self.catalogue, self.episode, scene, actor, self.model, self.links, method=method
+        )
 
 
 def frame() -> str:
@@ -83,12 +86,13 @@ def talk_panel(episode: Episode, told: Instruction | None = None, method: str = 
         aria_pressed="true",
     )
     header = element("header", element("h2", "Dialogue"), element("span", class_="grow"), marks)
-    rewritten = rewritten_box(told, method) if told is not None and method else ""
+    turns = len(episode.dialogue.context)
+    made = told_box(told, method, turns=turns) if told is not None and method else ""
     return element(
         "section",
         header,
         conversation(episode.dialogue),
-        rewritten,
+        made,
         class_="talking",
         aria_label="Dialogue",
     )
@@ -130,8 +134,8 @@ def person_step(sitting: Sitting, *, notice: str = "", solution: Sequence[Skill]
 
 def planner_name(actor: Actor, planner: str, method: str) -> str:
     """Return what the page calls the planner that acts."""
-    name = PLANNER_NAMES[planner]
-    return f"{name} + {METHOD_NAMES[method]}" if actor == "tocc" else name
+    title = planner_title(planner)
+    return f"{title} + {method_title(method)}" if actor == "tocc" else title
 
 
 def model_screen(
@@ -160,7 +164,7 @@ def model_step(
     notice: str = "",
 ) -> Screen:
     """Return what a planner's step changes."""
-    method = METHOD_NAMES[setting.method] if actor == "tocc" else ""
+    method = method_title(setting.method) if actor == "tocc" else ""
     scenes = scenes_of(run) if run else [own.start.scene]
     cameras = camera_strip(run) if run else camera_strip(own, step=0)
     title = planner_name(actor, setting.planner, setting.method)
@@ -195,8 +199,7 @@ def side_stage(
     notice: str = "",
 ) -> str:
     """Return the comparison alone."""
-    method = METHOD_NAMES[setting.method]
-    planner = PLANNER_NAMES[setting.planner]
+    method, planner = method_title(setting.method), planner_title(setting.planner)
     return side_by_side(
         setting.episode, *runs, planner=planner, method=method, row=row, notice=notice
     )

@@ -1,23 +1,12 @@
-"""Models and settings: what is on the shelf, what it takes to get it, and how TOCC is done."""
+"""Models and settings: what is on the shelf, how to get it, and which prompting method is used."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from reibench.methods import methods
 from reibench.models import Shelved, in_megabytes
-from reibench.planners import planners
 from reibench.view.markup import classes, element, number, text
-from reibench.view.topbar import METHOD_NAMES, PLANNER_NAMES
-
-PLANNER_NOTES = {
-    "saycan": "one choice among the skills after another",
-    "dag-plan": "a graph of sub-tasks, written at once and again after a failure",
-    "hpe": "sub-goals first, then the steps of each, with a memory bank",
-    "llm-p": "a goal in PDDL, which a classical planner solves",
-}
-METHOD_NOTES = {
-    "tocc": "the paper's: the model rewrites the instruction freely",
-    "tocc-span": "ours: the model only says what each vague expression stands for",
-}
+from reibench.view.topbar import offered_planners, planner_summary, planner_title
 
 
 @dataclass(frozen=True)
@@ -45,7 +34,7 @@ def shelf(
         models: what is on the shelf.
         chosen: name of the model in use.
         planner: which planner acts.
-        method: which variant of TOCC is used.
+        method: which prompting method is used.
         ready: whether the chosen model is loaded.
         fetching: models on their way, by name.
     """
@@ -64,9 +53,9 @@ def shelf(
         element("h3", "Language model", class_="label"),
         *rows,
         element("h3", "Planner", class_="label"),
-        *_variants("planner", planner, _offered(), PLANNER_NOTES),
-        element("h3", "How TOCC rewrites", class_="label"),
-        *_variants("method", method, METHOD_NAMES, METHOD_NOTES),
+        *_planners(planner),
+        element("h3", "Prompting method", class_="label"),
+        *_methods(method),
         element("h3", "Keys", class_="label"),
         _keys(),
         class_="sheet",
@@ -76,24 +65,26 @@ def shelf(
     )
 
 
-def _offered() -> dict[str, str]:
-    """Return the planners there are to choose from."""
-    return {name: PLANNER_NAMES[name] for name in PLANNER_NAMES if name in planners.names()}
-
-
-def _variants(
-    what: str, chosen: str, names: Mapping[str, str], notes: Mapping[str, str]
-) -> list[str]:
-    """Return the ways something can be done, as one choice."""
+def _planners(chosen: str) -> list[str]:
+    """Return the planners that ask a model with what they do, as one choice."""
     return [
-        element(
-            "label",
-            _radio(what, name, checked=name == chosen),
-            element("span", element("b", text(title)), element("small", text(notes[name]))),
-            class_="option",
-        )
-        for name, title in names.items()
+        _choice("planner", name, planner_title(name), planner_summary(name), chosen)
+        for name in offered_planners()
     ]
+
+
+def _methods(chosen: str) -> list[str]:
+    """Return all prompting methods with what they do, as one choice."""
+    known = {name: methods.create(name) for name in methods.names()}
+    return [
+        _choice("method", name, method.title, method.summary, chosen)
+        for name, method in known.items()
+    ]
+
+
+def _choice(what: str, name: str, title: str, summary: str, chosen: str) -> str:
+    words = element("span", element("b", text(title)), element("small", text(summary)))
+    return element("label", _radio(what, name, checked=name == chosen), words, class_="option")
 
 
 def _keys() -> str:

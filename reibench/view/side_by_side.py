@@ -14,7 +14,7 @@ from reibench.view.outcome import goal_conditions, verdict, verdict_box
 from reibench.view.plan import floor_plan
 from reibench.view.plan_geometry import ASIDE
 from reibench.view.plan_layout import arrange
-from reibench.view.rewrite import word_diff
+from reibench.view.rewrite import told_body, told_heading
 from reibench.view.topbar import episode_chips
 from reibench.view.words import sentence
 from reibench.watching import Sitting
@@ -139,12 +139,10 @@ def _instructions(episode: Episode, right: Sitting | None, method: str) -> str:
     )
     told = right.instruction if right else None
     if told is None:
-        body = element("p", "Not rewritten yet.", class_="muted")
-    elif told.rewritten:
-        body = element("p", word_diff(told.original, told.text))
+        body = element("p", "Not done yet.", class_="muted")
     else:
-        body = element("p", "It left the instruction as it was said.", class_="muted")
-    heading = element("h2", f"Rewritten by {text(method)} before planning", class_="label")
+        body = told_body(told, turns=turns)
+    heading = element("h2", told_heading(told, method), class_="label")
     return element("div", said, element("div", heading, body, class_="card"), class_="instr")
 
 

@@ -2,8 +2,10 @@
 
 from reibench.dialogue import LEVELS
 from reibench.episode import TaskType
+from reibench.methods import methods
 from reibench.models import overview
 from reibench.view.catalogue import Catalogue
+from reibench.view.markup import text
 from reibench.view.shelf import Fetching, shelf
 from reibench.view.topbar import ModelStatus, room_name, topbar
 
@@ -61,6 +63,20 @@ def test_the_shelf_says_what_is_here_and_what_it_takes_to_get_the_rest(tags):
     assert absent in buttons
     [span] = [each for each in tags(markup, "input") if each.get("value") == "tocc-span"]
     assert "checked" in span
+
+
+def test_the_menu_explains_every_method_and_the_bar_names_the_chosen_one(episodes, rooms, tags):
+    markup = shelf(overview(), chosen="gemma-3-270m", planner="saycan", method="gated-ap")
+    radios = {each["value"]: each for each in tags(markup, "input") if each.get("name") == "method"}
+    assert sorted(radios) == methods.names()
+    assert [name for name, each in radios.items() if "checked" in each] == ["gated-ap"]
+    for name in methods.names():
+        assert text(methods.create(name).summary) in markup
+    catalogue = Catalogue.of(episodes.values())
+    scene = rooms[catalogue.first.task.setup.room]
+    status = ModelStatus("m", "ready")
+    bar = topbar(catalogue, catalogue.first, scene, "me", status, (), method="Gated AP")
+    assert bar.count("Model + Gated AP") == 2
 
 
 def test_a_model_on_its_way_shows_how_far_it_is_or_what_went_wrong():
