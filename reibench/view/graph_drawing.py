@@ -6,7 +6,7 @@ from graphlib import TopologicalSorter
 from reibench.planners.graph import Graph, Node
 from reibench.view.markup import classes, element, text
 
-WIDTH_OF_LETTER = 5.9
+WIDTH_OF_LETTER = 6.1
 MARGIN = 3.0
 HEIGHT = 25.0
 GAP = 15.0

@@ -241,7 +241,7 @@ onChange(() => {
   }
   scrollToEnd(".act .stepscroll", `${act?.dataset.sitting} ${act?.dataset.expected} ${act?.dataset.over}`);
   scrollToEnd(".talk", episode);
-  showDue();
+  showDue(`${act?.dataset.sitting} ${act?.dataset.expected} ${act?.dataset.over}`);
   if (refocus && !isBusy()) {
     document.querySelector(refocus)?.focus();
     refocus = "";
@@ -260,10 +260,11 @@ function scrollToEnd(selector, version) {
 }
 
 // the sub-task that is being done, in the middle of a long graph
-function showDue() {
+function showDue(version) {
   const pane = document.querySelector(".made");
-  if (!pane || scrolled.get(".made") === pane) return;
-  scrolled.set(".made", pane);
+  if (!pane || (scrolled.get(".made") === version && scrolled.get(pane) === pane)) return;
+  scrolled.set(".made", version);
+  scrolled.set(pane, pane);
   const all = pane.querySelectorAll(".node.now, .node.done, .node.failed");
   const due = pane.querySelector(".node.now, .node.failed") ?? all[all.length - 1];
   if (!due) return;
