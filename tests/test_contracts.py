@@ -24,7 +24,10 @@ class Obliging:
         self.skills = iter([" find a potato", " pick up the potato"])
 
     def generate(self, prompt, *, max_tokens=128, stop=(), grammar=""):
-        return Generation('potato" is the potato. Heat the potato.', prompt=prompt.text)
+        graph = "1: find a potato\n2: pick up the potato after 1\ndone"
+        words = 'potato" is the potato. Heat the potato.'
+        asked_for_graph = prompt.text.endswith("Graph:\n")
+        return Generation(graph if asked_for_graph else words, prompt=prompt.text)
 
     def choose(self, prompt, options):
         skill = next(self.skills, " done") if " done" in options else options[0]

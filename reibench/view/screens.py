@@ -17,7 +17,7 @@ from reibench.view.picker import picker
 from reibench.view.rewrite import told_box
 from reibench.view.room_panel import room_loading, room_panel
 from reibench.view.side_by_side import side_by_side
-from reibench.view.topbar import Actor, ModelStatus, method_title, topbar
+from reibench.view.topbar import Actor, ModelStatus, method_title, planner_title, topbar
 from reibench.watching import Sitting
 from reibench.worlds import Event
 
@@ -43,6 +43,7 @@ class Setting:
     catalogue: Catalogue
     episode: Episode
     model: ModelStatus
+    planner: str
     method: str
     links: Sequence[tuple[str, str]]
 
@@ -131,9 +132,10 @@ def person_step(sitting: Sitting, *, notice: str = "", solution: Sequence[Skill]
     )
 
 
-def planner_name(actor: Actor, method: str) -> str:
+def planner_name(actor: Actor, planner: str, method: str) -> str:
     """Return what the page calls the planner that acts."""
-    return f"SayCan + {method_title(method)}" if actor == "tocc" else "SayCan"
+    title = planner_title(planner)
+    return f"{title} + {method_title(method)}" if actor == "tocc" else title
 
 
 def model_screen(
@@ -165,7 +167,7 @@ def model_step(
     method = method_title(setting.method) if actor == "tocc" else ""
     scenes = scenes_of(run) if run else [own.start.scene]
     cameras = camera_strip(run) if run else camera_strip(own, step=0)
-    title = planner_name(actor, setting.method)
+    title = planner_name(actor, setting.planner, setting.method)
     panel = model_panel(title, setting.model.name, run, ready=ready, notice=notice)
     told = run.instruction if run else None
     return Screen(
@@ -197,5 +199,7 @@ def side_stage(
     notice: str = "",
 ) -> str:
     """Return the comparison alone."""
-    method = method_title(setting.method)
-    return side_by_side(setting.episode, *runs, method=method, row=row, notice=notice)
+    method, planner = method_title(setting.method), planner_title(setting.planner)
+    return side_by_side(
+        setting.episode, *runs, planner=planner, method=method, row=row, notice=notice
+    )

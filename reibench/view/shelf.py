@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from reibench.methods import methods
 from reibench.models import Shelved, in_megabytes
 from reibench.view.markup import classes, element, number, text
+from reibench.view.topbar import offered_planners, planner_summary, planner_title
 
 
 @dataclass(frozen=True)
@@ -22,6 +23,7 @@ def shelf(
     models: Sequence[Shelved],
     *,
     chosen: str,
+    planner: str,
     method: str,
     ready: bool = False,
     fetching: Mapping[str, Fetching] | None = None,
@@ -31,6 +33,7 @@ def shelf(
     Args:
         models: what is on the shelf.
         chosen: name of the model in use.
+        planner: which planner acts.
         method: which prompting method is used.
         ready: whether the chosen model is loaded.
         fetching: models on their way, by name.
@@ -49,6 +52,8 @@ def shelf(
         heading,
         element("h3", "Language model", class_="label"),
         *rows,
+        element("h3", "Planner", class_="label"),
+        *_planners(planner),
         element("h3", "Prompting method", class_="label"),
         *_methods(method),
         element("h3", "Keys", class_="label"),
@@ -60,22 +65,26 @@ def shelf(
     )
 
 
+def _planners(chosen: str) -> list[str]:
+    """Return the planners that ask a model with what they do, as one choice."""
+    return [
+        _choice("planner", name, planner_title(name), planner_summary(name), chosen)
+        for name in offered_planners()
+    ]
+
+
 def _methods(chosen: str) -> list[str]:
     """Return all prompting methods with what they do, as one choice."""
     known = {name: methods.create(name) for name in methods.names()}
     return [
-        element(
-            "label",
-            _radio("method", name, checked=name == chosen),
-            element(
-                "span",
-                element("b", text(method.title)),
-                element("small", text(method.summary)),
-            ),
-            class_="option",
-        )
+        _choice("method", name, method.title, method.summary, chosen)
         for name, method in known.items()
     ]
+
+
+def _choice(what: str, name: str, title: str, summary: str, chosen: str) -> str:
+    words = element("span", element("b", text(title)), element("small", text(summary)))
+    return element("label", _radio(what, name, checked=name == chosen), words, class_="option")
 
 
 def _keys() -> str:

@@ -27,6 +27,7 @@ def side_by_side(
     left: Sitting | None,
     right: Sitting | None,
     *,
+    planner: str = "SayCan",
     method: str = "TOCC",
     row: int | None = None,
     notice: str = "",
@@ -37,6 +38,7 @@ def side_by_side(
         episode: what both were asked.
         left: the run without; None before it began.
         right: the run with.
+        planner: what the page calls the planner.
         method: what the page calls the method.
         row: index of the aligned row whose rooms are shown; the last if None.
         notice: something that went wrong.
@@ -50,7 +52,9 @@ def side_by_side(
     if notice:
         parts.append(element("p", text(notice), class_="notice bad", role="alert"))
     parts.append(_instructions(episode, right, method))
-    parts.append(_stage(left, right, rows, split if over else None, at, method))
+    parts.append(
+        _stage(left, right, rows, split if over else None, at, (planner, f"{planner} + {method}"))
+    )
     parts.append(_verdicts(left, right))
     return element(
         "section",
@@ -154,16 +158,16 @@ def _stage(
     rows: Sequence[Row],
     split: int | None,
     at: int,
-    method: str,
+    titles: tuple[str, str],
 ) -> str:
     signs = [_sign(row, index == split) for index, row in enumerate(rows)]
     middle = element("div", *signs, class_="mid", aria_hidden="true")
     return element(
         "div",
         _picture(left, _reached(rows, at, "left")),
-        _lane("SayCan", "plain", left, rows, split, at, "left"),
+        _lane(titles[0], "plain", left, rows, split, at, "left"),
         middle,
-        _lane(f"SayCan + {method}", "tocc", right, rows, split, at, "right"),
+        _lane(titles[1], "tocc", right, rows, split, at, "right"),
         _picture(right, _reached(rows, at, "right")),
         class_="stage",
     )

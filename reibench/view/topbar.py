@@ -7,6 +7,8 @@ from typing import Literal, get_args
 from reibench.dialogue import CONTEXTS, REFERENCES, Vagueness
 from reibench.episode import Episode
 from reibench.methods import methods
+from reibench.planners import planners
+from reibench.run import needs_model
 from reibench.scene import Scene
 from reibench.view.catalogue import Catalogue
 from reibench.view.markup import classes, element, text
@@ -256,6 +258,21 @@ def _actor_name(actor: Actor, method: str) -> str:
 def method_title(name: str) -> str:
     """Return what the page calls the method registered under `name`."""
     return methods.create(name).title
+
+
+def offered_planners() -> list[str]:
+    """Return the names of the planners that ask a model."""
+    return [name for name in planners.names() if needs_model(name)]
+
+
+def planner_title(name: str) -> str:
+    """Return what the page calls the planner registered under `name`."""
+    return str(getattr(planners.get(name), "title", name))
+
+
+def planner_summary(name: str) -> str:
+    """Return what that planner does, in a few words."""
+    return str(getattr(planners.get(name), "summary", ""))
 
 
 def room_name(room: str) -> str:

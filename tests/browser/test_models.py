@@ -138,3 +138,33 @@ def test_a_restarted_server_finds_the_visitor_where_they_were(visit, tmp_path):
         assert demo.steps == 1
         demo.do("open the fridge")
         assert demo.steps == 2
+
+
+GRAPH = (
+    "1: find a potato\\n2: pick up the potato after 1\\n3: find a microwave\\n"
+    "4: put down the potato after 2, 3\\ndone"
+)
+REST = "1: open the microwave\\n2: put down the potato after 1\\ndone"
+
+
+def test_a_planner_s_graph_is_seen_as_it_grows_and_why_a_step_was_taken(visit, tmp_path):
+    script = tmp_path / "graphs.txt"
+    script.write_text(f"1: find a potato after 1\n{GRAPH}\n{REST}\n")
+    with serving.app(tmp_path / "demo.db", model=f"scripted:{script}") as address:
+        demo = visit(f"?episode={EPISODE}&actor=model&planner=dag-plan", address=address)
+        page = demo.page
+        expect(page.locator(".act h2")).to_have_text("DAG-Plan")
+        page.click("[data-do=watch]")
+        expect(page.locator(".act .verdict")).to_be_visible(timeout=60_000)
+        expect(page.locator(".made .graph .node.done")).to_have_count(2)
+        page.locator(".thoughts summary").first.click()
+        expect(page.locator(".thoughts").first).to_contain_text("in a circle: 1 → 1")
+        page.reload()
+        demo.settled()
+        expect(page.locator(".made .graph .node.done")).to_have_count(2)
+        page.click(".pill")
+        expect(page.locator("#shelf input[value='dag-plan']")).to_be_checked()
+        page.locator("#shelf input[value='hpe']").check()
+        demo.settled()
+        expect(page.locator(".act h2")).to_have_text("HPE")
+        assert "planner=hpe" in page.url
