@@ -15,6 +15,8 @@ ONLY_IN = {
     "torch": ("reibench/backends/transformers.py",),
     "transformers": ("reibench/backends/transformers.py",),
     "xllamacpp": ("reibench/backends/llama_cpp.py",),
+    "unified_planning": ("reibench/planners/pddl.py",),
+    "up_fast_downward": ("reibench/planners/pddl.py",),
     "sqlite_utils": ("reibench/store/",),
 }
 LEVELS = {
@@ -30,7 +32,10 @@ LEVELS = {
     "bench": 8, "commands": 8, "pages": 8, "__main__": 8,
 }  # fmt: skip
 MODULES = sorted((ROOT / "reibench").rglob("*.py"))
-HEAVY = ("torch", "ai2thor", "gradio", "fastapi", "xllamacpp", "transformers")
+HEAVY = (
+    "torch", "ai2thor", "gradio", "fastapi", "xllamacpp", "transformers", "unified_planning",
+    "up_fast_downward",
+)  # fmt: skip
 CATCHING = {"run.py"}
 """Where everything may be caught: an episode that breaks is recorded as an error."""
 

@@ -1,0 +1,175 @@
+"""PDDL goals: what they may say, how they are read, and a grammar that allows no other.
+
+A goal is a conjunction, `(:goal (and (hot potato) (in potato dining-table)))`, of the predicates
+below over the objects of a room.
+"""
+
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Literal, TypeAlias
+
+from reibench.errors import InvalidGoal, unknown
+
+Role = Literal["thing", "place", "lamp", "sliceable"]
+"""What an object must be to stand in a place of a predicate."""
+PREDICATES: Mapping[str, tuple[Role, ...]] = MappingProxyType(
+    {
+        "in": ("thing", "place"),
+        "hot": ("thing",),
+        "cold": ("thing",),
+        "clean": ("thing",),
+        "sliced": ("sliceable",),
+        "lit": ("thing", "lamp"),
+        "holding": ("thing",),
+    }
+)
+"""What goals may say, with the roles of the arguments."""
+MOST = 5
+"""Conditions a goal may have."""
+ROLES = MappingProxyType(
+    {
+        "thing": "a thing that can be picked up",
+        "place": "a place that things can be put in or on",
+        "lamp": "a lamp",
+        "sliceable": "a thing that can be sliced",
+    }
+)
+
+_TOKEN = re.compile(r"[()]|[^\s()]+")
+_COMMENT = re.compile(r";[^\n]*")
+Nested: TypeAlias = "str | list[Nested]"
+
+
+@dataclass(frozen=True)
+class Fact:
+    """A predicate and what it is said of."""
+
+    predicate: str
+    arguments: tuple[str, ...]
+
+    def __str__(self) -> str:
+        return f"({' '.join((self.predicate, *self.arguments))})"
+
+
+@dataclass(frozen=True)
+class Vocabulary:
+    """The objects a goal may name."""
+
+    thing: tuple[str, ...]
+    place: tuple[str, ...]
+    lamp: tuple[str, ...]
+    sliceable: tuple[str, ...]
+
+    def having(self, role: Role) -> tuple[str, ...]:
+        """Return the objects that may stand where `role` is wanted."""
+        names: tuple[str, ...] = getattr(self, role)
+        return names
+
+    @property
+    def names(self) -> list[str]:
+        """Every object, sorted."""
+        return sorted({*self.thing, *self.place, *self.lamp})
+
+
+def in_pddl(facts: Iterable[Fact]) -> str:
+    """Return the goal that consists of `facts`."""
+    return f"(:goal (and {' '.join(map(str, facts))}))"
+
+
+def read_goal(text: str, vocabulary: Vocabulary) -> tuple[Fact, ...]:
+    """Return what the first `(:goal …)` of `text` asks for.
+
+    Raises:
+        InvalidGoal: saying what is wrong, and what would be right.
+    """
+    begin = text.find("(:goal")
+    if begin < 0:
+        raise InvalidGoal("There is no (:goal ...) in the answer.")
+    said = _nested(text[begin:])
+    if len(said) != 2:
+        raise InvalidGoal(
+            f"(:goal ...) must hold one condition, or (and ...); not {len(said) - 1}."
+        )
+    facts = tuple(_facts(said[1], vocabulary))
+    if not 1 <= len(facts) <= MOST:
+        raise InvalidGoal(f"A goal has 1 to {MOST} conditions, not {len(facts)}.")
+    return tuple(dict.fromkeys(facts))
+
+
+def _nested(text: str) -> list[Nested]:
+    """Return the first parenthesised expression of `text` as lists of lists of words."""
+    open_lists: list[list[Nested]] = []
+    for token in _TOKEN.findall(_COMMENT.sub("", text).lower()):
+        if token == "(":
+            open_lists.append([])
+        elif token != ")":
+            open_lists[-1].append(token)
+        else:
+            whole = open_lists.pop()
+            if not open_lists:
+                return whole
+            open_lists[-1].append(whole)
+    missing = len(open_lists)
+    raise InvalidGoal(f"The goal breaks off: {missing} closing parentheses are missing.")
+
+
+def _facts(said: Nested, vocabulary: Vocabulary) -> Iterator[Fact]:
+    if isinstance(said, str) or not said or not isinstance(said[0], str):
+        raise InvalidGoal(f"{written(said)} is no condition; one reads like (hot potato).")
+    if said[0] == "and":
+        for each in said[1:]:
+            yield from _facts(each, vocabulary)
+        return
+    predicate, arguments = said[0], said[1:]
+    if predicate not in PREDICATES:
+        raise InvalidGoal(str(unknown("predicate", predicate, PREDICATES)))
+    roles = PREDICATES[predicate]
+    if len(arguments) != len(roles) or not all(isinstance(each, str) for each in arguments):
+        form = f"({' '.join((predicate, *(f'?{role}' for role in roles)))})"
+        raise InvalidGoal(f"{written(said)} should read like {form}.")
+    names = tuple(str(each) for each in arguments)
+    for name, role in zip(names, roles, strict=True):
+        _check(name, role, vocabulary)
+    if len(set(names)) < len(names):
+        raise InvalidGoal(f"{written(said)} says something of {names[0]} and itself.")
+    yield Fact(predicate, names)
+
+
+def _check(name: str, role: Role, vocabulary: Vocabulary) -> None:
+    if name in vocabulary.having(role):
+        return
+    if name not in vocabulary.names:
+        raise InvalidGoal(str(unknown("object", name, vocabulary.having(role))))
+    fitting = ", ".join(vocabulary.having(role)) or "none is in this room"
+    raise InvalidGoal(f"{name} is not {ROLES[role]}; such are: {fitting}.")
+
+
+def written(said: Nested) -> str:
+    """Return nested words as PDDL again."""
+    return said if isinstance(said, str) else f"({' '.join(map(written, said))})"
+
+
+def grammar(vocabulary: Vocabulary) -> str:
+    """Return the GBNF of what may follow `(:goal (and`, up to its last parenthesis."""
+    usable = {
+        predicate: roles
+        for predicate, roles in PREDICATES.items()
+        if all(vocabulary.having(role) for role in roles)
+    }
+    conditions = " | ".join(
+        f'"({predicate} " {_spaced(roles)} ")"' for predicate, roles in usable.items()
+    )
+    used = dict.fromkeys(role for roles in usable.values() for role in roles)
+    rules = [f"{role} ::= {_alternatives(vocabulary.having(role))}" for role in used]
+    more = '(" " condition)? ' * (MOST - 1)
+    return "\n".join((f'root ::= " " condition {more}"))"', f"condition ::= {conditions}", *rules))
+
+
+def _spaced(roles: Sequence[Role]) -> str:
+    return ' " " '.join(roles)
+
+
+def _alternatives(names: Iterable[str]) -> str:
+    return " | ".join(f'"{name}"' for name in names)
