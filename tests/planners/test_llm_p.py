@@ -1,0 +1,215 @@
+"""LLM+P: the model writes a goal, Fast Downward plans, and what fails is told or planned anew."""
+
+import pytest
+
+from reibench.backends.scripted import ScriptedBackend
+from reibench.dataset.files import shipped_episodes
+from reibench.episode import Episode, Goal, SceneSetup, Task, TaskType
+from reibench.methods import Instruction
+from reibench.planners.llm_p import LlmP
+from reibench.planners.pddl_goals import Fact, in_pddl
+from reibench.planners.pddl_problem import symbol
+from reibench.rollout import Rollout, drive
+from reibench.scene import Scene
+from reibench.skill import Verb
+from reibench.worlds import Event
+
+NOTHING_SAID = Instruction("Please.", "Please.")
+TREATMENTS = {TaskType.HEAT: "hot", TaskType.COOL: "cold", TaskType.CLEAN: "clean"}
+
+
+def in_goal_language(goal: Goal) -> str:
+    """Return what a model that understands perfectly writes."""
+    thing, place, carrier = map(symbol, (goal.object, goal.destination, goal.movable_receptacle))
+    facts = [Fact("sliced", (thing,))] if goal.sliced else []
+    match goal.task_type:
+        case TaskType.EXAMINE:
+            facts.append(Fact("lit", (thing, place)))
+        case TaskType.STACK:
+            facts += [Fact("in", (thing, carrier)), Fact("in", (carrier, place))]
+        case TaskType.PICK:
+            facts.append(Fact("in", (thing, place)))
+        case treated:
+            facts += [Fact(TREATMENTS[treated], (thing,)), Fact("in", (thing, place))]
+    return in_pddl(facts)
+
+
+@pytest.fixture
+def play(world):
+    """Play an episode with a script for a model; returns rollout and script."""
+
+    def played(episode: Episode, *answers: str) -> tuple[Rollout, ScriptedBackend]:
+        backend = ScriptedBackend(answers)
+        rollout = Rollout(episode, world)
+        rollout.start()
+        list(drive(rollout, LlmP(backend), NOTHING_SAID))
+        return rollout, backend
+
+    return played
+
+
+def in_room(room: str, goal: Goal, episode: Episode) -> Episode:
+    return Episode(Task("any", SceneSetup(room, seed=3), goal), episode.dialogue, episode.vagueness)
+
+
+def artefacts(rollout: Rollout, kind: str) -> list[str]:
+    made = [one for step in rollout.steps for one in step.decision.artefacts]
+    made += rollout.closing.artefacts if rollout.closing else ()
+    return [one.text for one in made if one.kind == kind]
+
+
+GOLD = sorted({episode.task.id: episode for episode in shipped_episodes()}.items())
+
+
+@pytest.mark.parametrize(("name", "episode"), GOLD, ids=[name for name, _ in GOLD])
+def test_the_right_goal_solves_each_seed_task_without_one_refused_skill(name, episode, play):
+    rollout, _ = play(episode, in_goal_language(episode.task.goal))
+    assert rollout.status == "success"
+    assert rollout.said_done
+    assert all(step.event.success for step in rollout.steps)
+
+
+@pytest.mark.parametrize(
+    ("room", "goal"),
+    [
+        ("kitchen-2", Goal(TaskType.HEAT, "Potato", "DiningTable", sliced=True)),
+        ("kitchen-2", Goal(TaskType.HEAT, "Egg", "CounterTop")),
+        ("kitchen-5", Goal(TaskType.PICK, "Tomato", "Plate", sliced=True)),
+        ("kitchen-9", Goal(TaskType.STACK, "Spoon", "CounterTop", "Bowl")),
+        ("bathroom-3", Goal(TaskType.CLEAN, "Cloth", "Toilet")),
+        ("bedroom-4", Goal(TaskType.EXAMINE, "CD", "DeskLamp")),
+    ],
+    ids=str,
+)
+def test_the_right_goal_solves_tasks_with_slices_and_shut_in_things_too(room, goal, episode, play):
+    rollout, _ = play(in_room(room, goal, episode), in_goal_language(goal))
+    assert rollout.status == "success", [str(step.decision.skill) for step in rollout.steps]
+
+
+def test_the_first_decision_carries_problem_plan_and_the_plan_in_words(episode, play):
+    rollout, _ = play(episode, in_goal_language(episode.task.goal))
+    [problem], [plan] = artefacts(rollout, "pddl"), artefacts(rollout, "plan")
+    assert "(:goal (and (hot potato) (in potato dining-table)))" in problem
+    assert "(heats microwave)" in problem
+    assert plan.splitlines()[:2] == ["(find potato)", "(pick-up potato)"]
+    assert len(plan.splitlines()) == len(rollout.steps)
+    assert artefacts(rollout, "note")[0].startswith("The robot will find a potato, pick up the")
+
+
+def test_a_goal_that_cannot_be_read_goes_back_twice_with_the_complaint(episode, play):
+    good = in_goal_language(episode.task.goal)
+    rollout, backend = play(
+        episode, "(:goal (and (hot potato)", "(:goal (and (in potatoe sink)))", good
+    )
+    assert rollout.status == "success"
+    first, second, third = (prompt.text for prompt in backend.prompts)
+    assert "breaks off: 2 closing parentheses are missing" in second
+    assert "Did you mean 'potato'?" in third
+    assert third.startswith(first)
+    assert len(artefacts(rollout, "prompt")) == 2
+    assert artefacts(rollout, "answer")[-1] == good
+
+
+def test_after_three_goals_that_cannot_be_read_it_says_done_and_why(episode, play):
+    rollout, backend = play(
+        episode, "I would heat it.", "(:goal", "(:goal (and (hot sink)))", "left"
+    )
+    assert rollout.said_done
+    assert not rollout.steps
+    assert len(backend.prompts) == 3
+    notes = artefacts(rollout, "note")
+    assert len(notes) == 4
+    assert "sink is not a thing that can be picked up; such are: " in notes[2]
+    assert rollout.closing.prompt.startswith(backend.prompts[0].text)
+
+
+@pytest.mark.parametrize(
+    "impossible",
+    [
+        "(:goal (and (in potato cup)))",
+        "(:goal (and (in cup mug) (in mug cup)))",
+        "(:goal (and (holding apple) (holding potato)))",
+    ],
+)
+def test_a_goal_nothing_reaches_goes_back_too(impossible, episode, play):
+    rollout, backend = play(episode, impossible, in_goal_language(episode.task.goal))
+    assert rollout.status == "success"
+    assert "Nothing the robot can do reaches this goal." in backend.prompts[1].text
+
+
+@pytest.mark.parametrize(
+    ("said", "complaint"),
+    [
+        ("(:goal (and (heated potato)))", "No predicate called 'heated'"),
+        ("(:goal (and (in potato)))", "should read like (in ?thing ?place)"),
+        ("(:goal (and))", "1 to 5 conditions, not 0"),
+        ("(:goal (and (in bowl bowl)))", "says something of bowl and itself"),
+        ("(:goal (or (hot potato) (hot apple)))", "No predicate called 'or'"),
+        ("(:goal potato)", "potato is no condition"),
+        ("(:goal (lit potato desk-lamp))", "No object called 'desk-lamp'"),
+    ],
+)
+def test_the_complaint_says_what_is_wrong(said, complaint, episode, play):
+    _, backend = play(episode, said, in_goal_language(episode.task.goal))
+    assert complaint in backend.prompts[1].text
+
+
+def test_an_answer_that_goes_on_from_what_was_begun_is_understood(episode, play):
+    rollout, backend = play(episode, " (hot Potato)\n  (in potato dining-table))) ; done")
+    assert rollout.status == "success"
+    assert backend.prompts[0].begun == "(:goal (and"
+
+
+def test_the_room_is_told_after_what_all_questions_share(episodes, play):
+    fixed = set()
+    for name in ("heat_potato.mixed-noised", "pick_keys.mixed-noised"):
+        _, backend = play(episodes[name], in_goal_language(episodes[name].task.goal))
+        [prompt] = backend.prompts
+        fixed.add(prompt.text[: prompt.fixed])
+        assert "Human pending instruction: Please." in prompt.text[prompt.fixed :]
+        assert "Things: " in prompt.text[prompt.fixed :]
+    assert len(fixed) == 1
+
+
+def test_what_holds_already_is_no_reason_to_plan_anew(episode, world):
+    start = world.reset(episode.task)
+    plan = LlmP(ScriptedBackend([in_goal_language(episode.task.goal)])).plan(
+        NOTHING_SAID, start, world.skills
+    )
+    decision, event = next(plan), start
+    skills = []
+    while decision:
+        skills.append(decision.skill)
+        event = world.step(decision.skill)
+        if decision.skill.verb is Verb.TURN_OFF:
+            event = Event(False, "the microwave is already off", event.scene, event.goals)
+        try:
+            decision = plan.send(event)
+        except StopIteration:
+            break
+    assert event.solved
+    assert len(skills) == 12
+
+
+def test_it_plans_anew_from_what_is_known_when_a_skill_fails_and_then_gives_up(episode, world):
+    start = world.reset(episode.task)
+    plan = LlmP(ScriptedBackend([in_goal_language(episode.task.goal)])).plan(
+        NOTHING_SAID, start, world.skills
+    )
+    decision, tried, event = next(plan), 0, start
+    with pytest.raises(StopIteration) as end:
+        while True:
+            if decision.skill.text == "put down the potato" and _in_microwave(event.scene):
+                tried += 1
+                event = Event(False, "there is no room left", event.scene, event.goals)
+            else:
+                event = world.step(decision.skill)
+            decision = plan.send(event)
+            if tried:
+                assert "(pick-up potato)" not in "".join(a.text for a in decision.artefacts)
+    assert tried == 3
+    assert any("there is no room left" in one.text for one in end.value.value.artefacts)
+
+
+def _in_microwave(scene: Scene) -> bool:
+    return any(one.open for one in scene.of_type("Microwave"))
