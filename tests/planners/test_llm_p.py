@@ -11,7 +11,7 @@ from reibench.planners.pddl_goals import Fact, in_pddl
 from reibench.planners.pddl_problem import symbol
 from reibench.rollout import Rollout, drive
 from reibench.scene import Scene
-from reibench.skill import Verb
+from reibench.skill import Skill, Verb
 from reibench.worlds import Event
 
 NOTHING_SAID = Instruction("Please.", "Please.")
@@ -171,45 +171,69 @@ def test_the_room_is_told_after_what_all_questions_share(episodes, play):
     assert len(fixed) == 1
 
 
+class Refusing:
+    """The embedded world, but some skills are refused though they are carried out or not."""
+
+    def __init__(self, world, refuses, *, carried_out):
+        self._world, self._refuses, self._carried_out = world, refuses, carried_out
+        self.skills = world.skills
+        self.refused = 0
+
+    def reset(self, task):
+        self.event = self._world.reset(task)
+        return self.event
+
+    def step(self, skill):
+        refused = self._refuses(skill, self.event.scene)
+        if self._carried_out or not refused:
+            self.event = self._world.step(skill)
+        if not refused:
+            return self.event
+        self.refused += 1
+        return Event(False, "there is no room left", self.event.scene, self.event.goals)
+
+
+def driven(episode: Episode, world: Refusing) -> Rollout:
+    rollout = Rollout(episode, world)
+    rollout.start()
+    planner = LlmP(ScriptedBackend([in_goal_language(episode.task.goal)]))
+    list(drive(rollout, planner, NOTHING_SAID))
+    return rollout
+
+
 def test_what_holds_already_is_no_reason_to_plan_anew(episode, world):
-    start = world.reset(episode.task)
-    plan = LlmP(ScriptedBackend([in_goal_language(episode.task.goal)])).plan(
-        NOTHING_SAID, start, world.skills
-    )
-    decision, event = next(plan), start
-    skills = []
-    while decision:
-        skills.append(decision.skill)
-        event = world.step(decision.skill)
-        if decision.skill.verb is Verb.TURN_OFF:
-            event = Event(False, "the microwave is already off", event.scene, event.goals)
-        try:
-            decision = plan.send(event)
-        except StopIteration:
-            break
-    assert event.solved
-    assert len(skills) == 12
+    refusing = Refusing(world, lambda skill, scene: skill.verb is Verb.TURN_OFF, carried_out=True)
+    rollout = driven(episode, refusing)
+    assert rollout.status == "success"
+    assert refusing.refused == 1
+    assert len(artefacts(rollout, "plan")) == 1
+
+
+def into_microwave(skill: Skill, scene: Scene) -> bool:
+    return skill.verb is Verb.PUT_DOWN and any(one.open for one in scene.of_type("Microwave"))
 
 
 def test_it_plans_anew_from_what_is_known_when_a_skill_fails_and_then_gives_up(episode, world):
-    start = world.reset(episode.task)
-    plan = LlmP(ScriptedBackend([in_goal_language(episode.task.goal)])).plan(
-        NOTHING_SAID, start, world.skills
+    refusing = Refusing(world, into_microwave, carried_out=False)
+    rollout = driven(episode, refusing)
+    assert rollout.said_done
+    assert refusing.refused == 3
+    first, *later = artefacts(rollout, "pddl")
+    assert "(hand-empty)" in first
+    assert len(later) == 2
+    assert all("(holding potato)" in each and "(opened microwave)" in each for each in later)
+    assert "put down the potato: there is no room left" in rollout.closing.artefacts[0].text
+
+
+def test_where_one_place_is_full_it_tries_the_next(episodes, world):
+    episode = episodes["pick_keys.mixed-noised"]
+    refusing = Refusing(
+        world,
+        lambda skill, scene: skill.verb is Verb.PUT_DOWN and not refusing.refused,
+        carried_out=False,
     )
-    decision, tried, event = next(plan), 0, start
-    with pytest.raises(StopIteration) as end:
-        while True:
-            if decision.skill.text == "put down the potato" and _in_microwave(event.scene):
-                tried += 1
-                event = Event(False, "there is no room left", event.scene, event.goals)
-            else:
-                event = world.step(decision.skill)
-            decision = plan.send(event)
-            if tried:
-                assert "(pick-up potato)" not in "".join(a.text for a in decision.artefacts)
-    assert tried == 3
-    assert any("there is no room left" in one.text for one in end.value.value.artefacts)
-
-
-def _in_microwave(scene: Scene) -> bool:
-    return any(one.open for one in scene.of_type("Microwave"))
+    rollout = driven(episode, refusing)
+    assert rollout.status == "success"
+    assert refusing.refused == 1
+    texts = [step.decision.skill.text for step in rollout.steps]
+    assert texts[5:7] == ["find a drawer", "find a drawer"]
