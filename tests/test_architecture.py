@@ -14,6 +14,8 @@ ONLY_IN = {
     "ai2thor": ("reibench/worlds/ai2thor/client.py",),
     "torch": ("reibench/backends/transformers.py",),
     "transformers": ("reibench/backends/transformers.py",),
+    "openai": ("reibench/backends/openai.py",),
+    "httpx2": ("reibench/backends/openai.py",),
     "xllamacpp": ("reibench/backends/llama_cpp.py",),
     "unified_planning": ("reibench/planners/pddl.py",),
     "up_fast_downward": ("reibench/planners/pddl.py",),
@@ -33,8 +35,8 @@ LEVELS = {
 }  # fmt: skip
 MODULES = sorted((ROOT / "reibench").rglob("*.py"))
 HEAVY = (
-    "torch", "ai2thor", "gradio", "fastapi", "xllamacpp", "transformers", "unified_planning",
-    "up_fast_downward",
+    "torch", "ai2thor", "gradio", "fastapi", "xllamacpp", "transformers", "openai",
+    "unified_planning", "up_fast_downward",
 )  # fmt: skip
 CATCHING = {"run.py"}
 """Where everything may be caught: an episode that breaks is recorded as an error."""

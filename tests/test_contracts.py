@@ -29,6 +29,8 @@ def obliging():
             self.skills = iter(ANSWERS)
 
         def generate(self, prompt, *, max_tokens=128, stop=(), grammar=""):
+            if prompt.begun.startswith("(:goal"):
+                return Generation(" (hot potato)))")
             return Generation("Heat the potato.")
 
         def choose(self, prompt, options):

@@ -4,6 +4,7 @@ import pytest
 
 from reibench.backends.scripted import ScriptedBackend
 from reibench.dataset.files import shipped_episodes
+from reibench.dataset.sample import select
 from reibench.episode import Episode, Goal, SceneSetup, Task, TaskType
 from reibench.methods import Instruction
 from reibench.planners.llm_p import LlmP
@@ -58,11 +59,14 @@ def artefacts(rollout: Rollout, kind: str) -> list[str]:
     return [one.text for one in made if one.kind == kind]
 
 
-GOLD = sorted({episode.task.id: episode for episode in shipped_episodes()}.items())
+TASKS = {episode.task.id: episode for episode in shipped_episodes()}
+GOLD = {episode.task.id for episode in select(TASKS.values(), "gold")}
+SOME = [TASKS[name] for name in sorted({*GOLD, *sorted(TASKS)[::10]})]
+"""The six gold tasks, and every tenth of all."""
 
 
-@pytest.mark.parametrize(("name", "episode"), GOLD, ids=[name for name, _ in GOLD])
-def test_the_right_goal_solves_each_seed_task_without_one_refused_skill(name, episode, play):
+@pytest.mark.parametrize("episode", SOME, ids=lambda episode: episode.task.id)
+def test_the_right_goal_solves_a_task_without_one_refused_skill(episode, play):
     rollout, _ = play(episode, in_goal_language(episode.task.goal))
     assert rollout.status == "success"
     assert rollout.said_done
