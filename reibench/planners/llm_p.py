@@ -17,7 +17,7 @@ from reibench.methods import Instruction
 from reibench.planners import Closing, Decision, Plan, planners
 from reibench.planners.goal_examples import goal_examples
 from reibench.planners.pddl import Action, solve
-from reibench.planners.pddl_goals import Fact, Vocabulary, grammar, in_pddl, read_goal
+from reibench.planners.pddl_goals import Fact, Role, Vocabulary, grammar, in_pddl, read_goal
 from reibench.planners.pddl_problem import brought_about, problem, skill_of, vocabulary
 from reibench.planners.telling import PENDING, told
 from reibench.scene import Scene
@@ -136,8 +136,9 @@ def introduction() -> str:
 
 def inventory(words: Vocabulary) -> str:
     """Return the objects of the room as the model is told them."""
-    lamps = f"Lamps: {', '.join(words.lamp)}\n" if words.lamp else ""
-    return f"Things: {', '.join(words.thing)}\nPlaces: {', '.join(words.place)}\n{lamps}"
+    kinds: tuple[tuple[str, Role], ...] = (("Things", "thing"), ("Places", "place"))
+    kinds += (("Lamps", "lamp"),) if words.objects["lamp"] else ()
+    return "".join(f"{title}: {', '.join(words.objects[role])}\n" for title, role in kinds)
 
 
 def described(actions: Iterable[Action]) -> list[Artefact]:

@@ -12,14 +12,14 @@ from typing import Literal, TypeAlias
 
 from reibench.errors import InvalidGoal, unknown
 
-Role = Literal["thing", "place", "lamp", "sliceable"]
+Role = Literal["thing", "place", "heatable", "coolable", "washable", "sliceable", "lamp"]
 """What an object must be to stand in a place of a predicate."""
 PREDICATES: Mapping[str, tuple[Role, ...]] = MappingProxyType(
     {
         "in": ("thing", "place"),
-        "hot": ("thing",),
-        "cold": ("thing",),
-        "clean": ("thing",),
+        "hot": ("heatable",),
+        "cold": ("coolable",),
+        "clean": ("washable",),
         "sliced": ("sliceable",),
         "lit": ("thing", "lamp"),
         "holding": ("thing",),
@@ -32,8 +32,11 @@ ROLES = MappingProxyType(
     {
         "thing": "a thing that can be picked up",
         "place": "a place that things can be put in or on",
+        "heatable": "a thing that can be heated here",
+        "coolable": "a thing that can be cooled here",
+        "washable": "a thing that can be washed here",
+        "sliceable": "a thing that can be sliced here",
         "lamp": "a lamp",
-        "sliceable": "a thing that can be sliced",
     }
 )
 
@@ -55,22 +58,26 @@ class Fact:
 
 @dataclass(frozen=True)
 class Vocabulary:
-    """The objects a goal may name."""
+    """The objects of a room that a goal may name, and what the room allows to be done to them."""
 
-    thing: tuple[str, ...]
-    place: tuple[str, ...]
-    lamp: tuple[str, ...]
-    sliceable: tuple[str, ...]
-
-    def having(self, role: Role) -> tuple[str, ...]:
-        """Return the objects that may stand where `role` is wanted."""
-        names: tuple[str, ...] = getattr(self, role)
-        return names
+    objects: Mapping[Role, tuple[str, ...]]
+    """Those that may stand where a role is wanted."""
+    fitting: Mapping[str, tuple[str, ...]]
+    """The places that each thing can be put in or on."""
 
     @property
     def names(self) -> list[str]:
         """Every object, sorted."""
-        return sorted({*self.thing, *self.place, *self.lamp})
+        return sorted({name for names in self.objects.values() for name in names})
+
+    @property
+    def predicates(self) -> list[str]:
+        """What can be said of something in this room."""
+        return [
+            predicate
+            for predicate, roles in PREDICATES.items()
+            if all(self.objects[role] for role in roles)
+        ]
 
 
 def in_pddl(facts: Iterable[Fact]) -> str:
@@ -134,15 +141,18 @@ def _facts(said: Nested, vocabulary: Vocabulary) -> Iterator[Fact]:
         _check(name, role, vocabulary)
     if len(set(names)) < len(names):
         raise InvalidGoal(f"{written(said)} says something of {names[0]} and itself.")
+    if predicate == "in" and names[1] not in vocabulary.fitting[names[0]]:
+        places = ", ".join(vocabulary.fitting[names[0]]) or "nowhere in this room"
+        raise InvalidGoal(f"{names[0]} does not go in or on {names[1]}; it goes to: {places}.")
     yield Fact(predicate, names)
 
 
 def _check(name: str, role: Role, vocabulary: Vocabulary) -> None:
-    if name in vocabulary.having(role):
+    if name in vocabulary.objects[role]:
         return
     if name not in vocabulary.names:
-        raise InvalidGoal(str(unknown("object", name, vocabulary.having(role))))
-    fitting = ", ".join(vocabulary.having(role)) or "none is in this room"
+        raise InvalidGoal(str(unknown("object", name, vocabulary.objects[role])))
+    fitting = ", ".join(vocabulary.objects[role]) or "none is in this room"
     raise InvalidGoal(f"{name} is not {ROLES[role]}; such are: {fitting}.")
 
 
@@ -153,16 +163,12 @@ def written(said: Nested) -> str:
 
 def grammar(vocabulary: Vocabulary) -> str:
     """Return the GBNF of what may follow `(:goal (and`, up to its last parenthesis."""
-    usable = {
-        predicate: roles
-        for predicate, roles in PREDICATES.items()
-        if all(vocabulary.having(role) for role in roles)
-    }
     conditions = " | ".join(
-        f'"({predicate} " {_spaced(roles)} ")"' for predicate, roles in usable.items()
+        f'"({predicate} " {_spaced(PREDICATES[predicate])} ")"'
+        for predicate in vocabulary.predicates
     )
-    used = dict.fromkeys(role for roles in usable.values() for role in roles)
-    rules = [f"{role} ::= {_alternatives(vocabulary.having(role))}" for role in used]
+    used = dict.fromkeys(role for name in vocabulary.predicates for role in PREDICATES[name])
+    rules = [f"{role} ::= {_alternatives(vocabulary.objects[role])}" for role in used]
     more = '(" " condition)? ' * (MOST - 1)
     return "\n".join((f'root ::= " " condition {more}"))"', f"condition ::= {conditions}", *rules))
 

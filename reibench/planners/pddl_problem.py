@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator
 
 from reibench.household.objects import object_type
 from reibench.planners.pddl import Action
-from reibench.planners.pddl_goals import Fact, Vocabulary, in_pddl
+from reibench.planners.pddl_goals import Fact, Role, Vocabulary, in_pddl
 from reibench.scene import CONTAINERS, Scene, SceneObject
 from reibench.skill import (
     FINDABLE,
@@ -25,8 +25,8 @@ from reibench.worlds.approach import distance
 from reibench.worlds.thor import BASIN_OF, KNIVES
 
 LAMPS = ("DeskLamp", "FloorLamp")
-BASINS = ("Sink", "Bathtub")
-"""Where a faucet washes."""
+BASIN = "Sink"
+"""Where a faucet washes; that of a bathtub may be out of reach from where things are put in."""
 
 
 def symbol(name: str) -> str:
@@ -43,13 +43,29 @@ def skill_of(action: Action) -> Skill:
 
 
 def vocabulary(scene: Scene) -> Vocabulary:
-    """Return what goals may name in a room."""
+    """Return what goals may name in a room, and what can be done there."""
     present = _present(scene)
 
     def named(kinds: Iterable[str]) -> tuple[str, ...]:
         return tuple(symbol(name) for name in present if name in kinds)
 
-    return Vocabulary(named(PICKABLE), named(RECEPTACLES), named(LAMPS), named(SLICEABLE))
+    things = named(PICKABLE)
+    pairs = [fact.arguments for fact in _fitting(present)]
+    fitting = {name: tuple(place for thing, place in pairs if thing == name) for name in things}
+
+    def treatable(where: str) -> tuple[str, ...]:
+        return tuple(name for name in things if symbol(where) in fitting[name])
+
+    objects: dict[Role, tuple[str, ...]] = {
+        "thing": things,
+        "place": named(RECEPTACLES),
+        "heatable": treatable("Microwave"),
+        "coolable": treatable("Fridge"),
+        "washable": treatable(BASIN) if "Faucet" in present else (),
+        "sliceable": named(SLICEABLE) if KNIVES & set(present) else (),
+        "lamp": named(LAMPS),
+    }
+    return Vocabulary(objects, fitting)
 
 
 def problem(scene: Scene, known: Iterable[Fact], goal: Iterable[Fact]) -> str:
@@ -94,13 +110,13 @@ def brought_about(skills: Iterable[Skill]) -> tuple[Fact, ...]:
 def _treatment(skill: Skill, inside: dict[str, str]) -> Iterator[Fact]:
     """Yield what turning on or closing something does to what is in it, or under it."""
     treats = {
-        (Verb.TURN_ON, "Microwave"): ("hot", ("Microwave",)),
-        (Verb.CLOSE, "Fridge"): ("cold", ("Fridge",)),
-        (Verb.TURN_ON, "Faucet"): ("clean", BASINS),
+        (Verb.TURN_ON, "Microwave"): ("hot", "Microwave"),
+        (Verb.CLOSE, "Fridge"): ("cold", "Fridge"),
+        (Verb.TURN_ON, "Faucet"): ("clean", BASIN),
     }
-    treatment, places = treats.get((skill.verb, skill.object), ("", ()))
-    where = tuple(map(symbol, places))
-    yield from (Fact(treatment, (name,)) for name, place in inside.items() if place in where)
+    treatment, where = treats.get((skill.verb, skill.object), ("", ""))
+    within = [name for name, place in inside.items() if place == symbol(where)]
+    yield from (Fact(treatment, (name,)) for name in within)
 
 
 def _present(scene: Scene) -> tuple[str, ...]:
@@ -128,9 +144,8 @@ def _nature(scene: Scene, present: tuple[str, ...]) -> Iterator[Fact]:
             "cools": name == "Fridge",
         }
         yield from (Fact(nature, (symbol(name),)) for nature, true in natures.items() if true)
-    for basin in BASINS:
-        if basin in present and "Faucet" in present:
-            yield Fact("washes", (symbol("Faucet"), symbol(basin)))
+    if BASIN in present and "Faucet" in present:
+        yield Fact("washes", (symbol("Faucet"), symbol(BASIN)))
 
 
 def _fitting(present: tuple[str, ...]) -> Iterator[Fact]:

@@ -4,7 +4,7 @@ import pytest
 
 from reibench.planners.goal_examples import goal_examples
 from reibench.planners.pddl import Action
-from reibench.planners.pddl_goals import PREDICATES, Fact, in_pddl
+from reibench.planners.pddl_goals import PREDICATES, Fact, grammar, in_pddl
 from reibench.planners.pddl_problem import brought_about, problem, skill_of, symbol, vocabulary
 from reibench.skill import FINDABLE, parse_skill
 
@@ -28,7 +28,13 @@ def test_the_problem_names_what_is_in_the_room_and_what_is_shut_in(world, episod
     assert "(several fridge)" not in stated
     assert "(fits potato microwave)" in stated
     assert "sofa" not in stated
-    assert set(vocabulary(scene).sliceable) <= set(vocabulary(scene).thing)
+
+
+def test_what_no_device_of_the_room_can_do_is_no_condition_there(world, episodes):
+    words = vocabulary(world.reset(episodes["pick_keys.mixed-noised"].task).scene)
+    assert words.predicates == ["in", "lit", "holding"]
+    assert "hot" not in grammar(words)
+    assert "sink" not in words.names
 
 
 @pytest.mark.parametrize(
