@@ -16,7 +16,7 @@ from reibench.errors import InvalidGoal
 from reibench.methods import Instruction
 from reibench.planners import Closing, Decision, Plan, planners
 from reibench.planners.goal_examples import goal_examples
-from reibench.planners.pddl import Action, solve
+from reibench.planners.pddl import SECONDS, Action, solve
 from reibench.planners.pddl_goals import Fact, Role, Vocabulary, grammar, in_pddl, read_goal
 from reibench.planners.pddl_problem import brought_about, problem, skill_of, vocabulary
 from reibench.planners.telling import PENDING, told
@@ -62,8 +62,10 @@ class LlmP:
     reads_scene: ClassVar[bool] = True
     """Whether it is told what is in the room beside what the human says."""
 
-    def __init__(self, backend: Backend) -> None:
+    def __init__(self, backend: Backend, *, seconds: float = SECONDS) -> None:
+        """Ask `backend` for goals, and give Fast Downward so many `seconds` a plan."""
         self._backend = backend
+        self._seconds = seconds
 
     def plan(self, instruction: Instruction, start: Event, skills: tuple[Skill, ...]) -> Plan:
         """Yield the plan's skills; plans again from what is known when one fails."""
@@ -91,7 +93,7 @@ class LlmP:
                     place = next(one for one in reversed(done) if one.verb is Verb.FIND)
                     event = yield Decision(place, artefacts=artefacts)
                     artefacts = ()
-            actions, made = _replan(event.scene, done, asked.goal)
+            actions, made = self._replan(event.scene, done, asked.goal)
             artefacts += made
         return Closing(prompt, usage, artefacts=artefacts)
 
@@ -117,7 +119,7 @@ class LlmP:
                 goal = read_goal(said, words)
                 stated = problem(scene, (), goal)
                 artefacts.append(Artefact("pddl", "The problem", stated))
-                actions = solve(stated)
+                actions = solve(stated, seconds=self._seconds)
             except InvalidGoal as complaint:
                 artefacts.append(Artefact("note", "What is wrong with it", str(complaint)))
                 text += f"{said.strip()}\nThis is wrong: {complaint} The right goal:\n"
@@ -126,6 +128,18 @@ class LlmP:
             return Translation(first, usage, tuple(artefacts), goal, actions)
         artefacts.append(Artefact("note", "Given up", "No goal could be planned for."))
         return Translation(first, usage, tuple(artefacts))
+
+    def _replan(
+        self, scene: Scene, done: list[Skill], goal: tuple[Fact, ...]
+    ) -> tuple[tuple[Action, ...], tuple[Artefact, ...]]:
+        """Plan from what the room is like now and what the skills that worked brought about."""
+        stated = problem(scene, brought_about(done), goal)
+        asked = Artefact("pddl", "The problem now", stated)
+        try:
+            actions = solve(stated, seconds=self._seconds)
+        except InvalidGoal as complaint:
+            return (), (asked, Artefact("note", "Given up", str(complaint)))
+        return actions, (asked, *described(actions))
 
 
 def introduction() -> str:
@@ -150,19 +164,6 @@ def described(actions: Iterable[Action]) -> list[Artefact]:
         Artefact("plan", "The plan", "\n".join(map(str, actions))),
         Artefact("note", "The plan in words", words),
     ]
-
-
-def _replan(
-    scene: Scene, done: list[Skill], goal: tuple[Fact, ...]
-) -> tuple[tuple[Action, ...], tuple[Artefact, ...]]:
-    """Plan from what the room is like now and what the skills that worked brought about."""
-    stated = problem(scene, brought_about(done), goal)
-    asked = Artefact("pddl", "The problem now", stated)
-    try:
-        actions = solve(stated)
-    except InvalidGoal as complaint:
-        return (), (asked, Artefact("note", "Given up", str(complaint)))
-    return actions, (asked, *described(actions))
 
 
 def _failure(skill: Skill, event: Event) -> Artefact:

@@ -7,6 +7,7 @@ below over the objects of a room.
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 from types import MappingProxyType
 from typing import Literal, TypeAlias
 
@@ -26,6 +27,7 @@ PREDICATES: Mapping[str, tuple[Role, ...]] = MappingProxyType(
     }
 )
 """What goals may say, with the roles of the arguments."""
+HAND = "the hand"
 MOST = 5
 """Conditions a goal may have."""
 ROLES = MappingProxyType(
@@ -102,7 +104,27 @@ def read_goal(text: str, vocabulary: Vocabulary) -> tuple[Fact, ...]:
     facts = tuple(_facts(said[1], vocabulary))
     if not 1 <= len(facts) <= MOST:
         raise InvalidGoal(f"A goal has 1 to {MOST} conditions, not {len(facts)}.")
-    return tuple(dict.fromkeys(facts))
+    facts = tuple(dict.fromkeys(facts))
+    _check_together(facts)
+    return facts
+
+
+def _check_together(facts: Sequence[Fact]) -> None:
+    """Refuse what cannot hold at once; a planner would search for long before it gave up."""
+    placed = [(fact, place) for fact in facts if (place := _place(fact))]
+    for (one, here), (other, there) in combinations(placed, 2):
+        same = one.arguments[0] == other.arguments[0]
+        if same and here != there:
+            raise InvalidGoal(f"{one} and {other} cannot both hold; keep the one asked for.")
+        if not same and here == there == HAND:
+            raise InvalidGoal(f"{one} and {other} cannot both hold: the robot has one hand.")
+
+
+def _place(fact: Fact) -> str:
+    """Return where a fact says its thing is; empty if it does not."""
+    if fact.predicate == "in":
+        return fact.arguments[1]
+    return HAND if fact.predicate in ("holding", "lit") else ""
 
 
 def _nested(text: str) -> list[Nested]:

@@ -120,7 +120,10 @@ def _treatment(skill: Skill, inside: dict[str, str]) -> Iterator[Fact]:
 
 
 def _present(scene: Scene) -> tuple[str, ...]:
-    types = {thing.type.removesuffix("Sliced") for thing in scene.objects}
+    """Return the types that skills can name and reach."""
+    around = ((thing, scene.closed_around(thing)) for thing in scene.objects)
+    reached = (thing for thing, shut in around if shut is None or shut.type in OPENABLE)
+    types = {thing.type.removesuffix("Sliced") for thing in reached}
     return tuple(name for name in FINDABLE if name in types)
 
 

@@ -6,6 +6,7 @@ from reibench.backends.scripted import ScriptedBackend
 from reibench.dataset.files import shipped_episodes
 from reibench.dataset.sample import select
 from reibench.episode import Episode, Goal, SceneSetup, Task, TaskType
+from reibench.household import load_room, room_names
 from reibench.methods import Instruction
 from reibench.planners.llm_p import LlmP
 from reibench.planners.pddl_goals import Fact, in_pddl
@@ -127,17 +128,20 @@ def test_after_three_goals_that_cannot_be_read_it_says_done_and_why(episode, pla
     assert rollout.closing.prompt.startswith(backend.prompts[0].text)
 
 
-@pytest.mark.parametrize(
-    "impossible",
-    [
-        "(:goal (and (in potato sink) (in potato fridge)))",
-        "(:goal (and (holding apple) (holding potato)))",
-    ],
-)
-def test_a_goal_nothing_reaches_goes_back_too(impossible, episode, play):
-    rollout, backend = play(episode, impossible, in_goal_language(episode.task.goal))
-    assert rollout.status == "success"
-    assert "Nothing the robot can do reaches this goal." in backend.prompts[1].text
+def test_a_goal_for_which_no_plan_is_found_goes_back_too(episode, world):
+    [room, *_] = (name for name in room_names() if {"DeskLamp", "FloorLamp"} <= types_in(name))
+    goal = Goal(TaskType.EXAMINE, "Pillow", "FloorLamp")
+    backend = ScriptedBackend(
+        ["(:goal (and (lit pillow desk-lamp) (lit pillow floor-lamp)))", in_goal_language(goal)]
+    )
+    rollout = Rollout(in_room(room, goal, episode), world)
+    rollout.start()
+    list(drive(rollout, LlmP(backend, seconds=2.0), NOTHING_SAID))
+    assert "This is wrong: No" in backend.prompts[1].text
+
+
+def types_in(room: str) -> set[str]:
+    return {thing.type for thing in load_room(room).objects}
 
 
 @pytest.mark.parametrize(
@@ -152,6 +156,8 @@ def test_a_goal_nothing_reaches_goes_back_too(impossible, episode, play):
             "(:goal (and (in mug bowl) (in bowl mug)))",
             "bowl does not go in or on mug; it goes to: ",
         ),
+        ("(:goal (and (in egg sink) (in egg fridge)))", "cannot both hold; keep the one asked for"),
+        ("(:goal (and (holding egg) (holding fork)))", "cannot both hold: the robot has one hand"),
         ("(:goal (in potato cup))", "potato does not go in or on cup; it goes to: "),
         ("(:goal (hot bowl) (hot fork))", "must hold one condition, or (and ...); not 2"),
         ("(:goal (hot fork))", "fork is not a thing that can be heated here; such are: "),
