@@ -17,6 +17,8 @@ ONLY_IN = {
     "openai": ("reibench/backends/openai.py",),
     "httpx2": ("reibench/backends/openai.py",),
     "xllamacpp": ("reibench/backends/llama_cpp.py",),
+    "unified_planning": ("reibench/planners/pddl.py",),
+    "up_fast_downward": ("reibench/planners/pddl.py",),
     "sqlite_utils": ("reibench/store/",),
 }
 LEVELS = {
@@ -32,7 +34,10 @@ LEVELS = {
     "bench": 8, "commands": 8, "pages": 8, "__main__": 8,
 }  # fmt: skip
 MODULES = sorted((ROOT / "reibench").rglob("*.py"))
-HEAVY = ("torch", "ai2thor", "gradio", "fastapi", "xllamacpp", "transformers", "openai")
+HEAVY = (
+    "torch", "ai2thor", "gradio", "fastapi", "xllamacpp", "transformers", "openai",
+    "unified_planning", "up_fast_downward",
+)  # fmt: skip
 CATCHING = {"run.py"}
 """Where everything may be caught: an episode that breaks is recorded as an error."""
 
