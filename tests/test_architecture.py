@@ -25,8 +25,8 @@ LEVELS = {
     "methods": 4, "dataset": 4, "pool": 4,
     "planners": 5,
     "rollout": 6,
-    "verdict": 7, "version": 7, "run": 7, "store": 7, "score": 7, "report": 7, "replay": 7,
-    "watching": 7, "sittings": 7, "view": 7, "fidelity": 7,
+    "verdict": 7, "faults": 7, "version": 7, "run": 7, "store": 7, "score": 7, "report": 7,
+    "replay": 7, "watching": 7, "sittings": 7, "view": 7, "fidelity": 7,
     "bench": 8, "commands": 8, "pages": 8, "__main__": 8,
 }  # fmt: skip
 MODULES = sorted((ROOT / "reibench").rglob("*.py"))
