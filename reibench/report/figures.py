@@ -1,0 +1,270 @@
+"""The two bar figures: success by level of every planner and model, and of every method.
+
+The only home of matplotlib. Colours are those of the pages (`assets/web/css/tokens.css`); hatches
+and lightness tell bars apart without them.
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pandas as pd
+
+from reibench.dialogue import CONTEXTS, REFERENCES
+from reibench.published import MODEL, PLANNER, published_success
+from reibench.report.error_tables import SETTINGS
+from reibench.report.labels import (
+    distinct,
+    each_run,
+    method_label,
+    model_label,
+    model_labels,
+    place_of,
+    planner_label,
+)
+from reibench.report.selecting import contestants
+from reibench.score import summarise
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+INK, LABEL, LINE, PLAIN, ACCENT = "#1d2126", "#4c535c", "#dedbd4", "#868d97", "#2f5bd7"
+FORMATS = ("svg", "png", "pdf")
+LOOK: Any = {
+    "font.family": ["DejaVu Sans"],
+    "font.size": 9,
+    "axes.edgecolor": LINE,
+    "axes.labelcolor": LABEL,
+    "axes.titlesize": 10,
+    "axes.titleweight": "bold",
+    "axes.titlecolor": INK,
+    "axes.titlelocation": "left",
+    "xtick.color": LABEL,
+    "ytick.color": LABEL,
+    "text.color": INK,
+    "hatch.linewidth": 0.7,
+    "hatch.color": INK,
+    # the same scores give the same file
+    "svg.hashsalt": "reibench",
+}
+METHOD_LOOKS = {
+    "none": (PLAIN, ""),
+    "ap": ("#f3dfae", ""),
+    "gated-ap": ("#f3dfae", "////"),
+    "cot": ("#c98a1b", ""),
+    "short-cot": ("#c98a1b", "////"),
+    "segmented-cot": ("#c98a1b", "...."),
+    "icl": ("#dfe3e8", "xxxx"),
+    "tocc": (ACCENT, ""),
+    "tocc-span": ("#16307a", ""),
+    "no-context": ("#ffffff", ""),
+}
+"""Fill and hatch of each method; one without has the last's, hatched."""
+OTHER_LOOK = ("#ffffff", "\\\\\\\\")
+MARKERS = ("D", "o", "s")
+"""The paper's models in the order of its tables, hollow."""
+
+
+@dataclass(frozen=True)
+class Bar:
+    """Success at one level, in per cent."""
+
+    rate: float
+    said_done: float
+    low: float
+    high: float
+
+
+@dataclass(frozen=True)
+class Series:
+    """One run's bars."""
+
+    label: str
+    fill: str
+    hatch: str
+    method: str
+    bars: dict[tuple[str, str], Bar]
+    """By context and reference."""
+
+
+@dataclass(frozen=True)
+class Panel:
+    """What is drawn on one pair of axes."""
+
+    title: str
+    series: tuple[Series, ...]
+    planner: str
+
+
+def draw_figures(frame: pd.DataFrame, folder: Path, *, paper: bool = False) -> Iterator[Path]:
+    """Draw both figures into `folder`, as SVG, PNG and PDF, and yield the files.
+
+    Args:
+        frame: as `records_frame` returns it, of the chosen runs.
+        folder: made if it is not there.
+        paper: whether to mark the paper's own numbers.
+    """
+    chosen = contestants(frame)
+    folder.mkdir(parents=True, exist_ok=True)
+    plain = chosen[chosen["method"] == "none"]
+    if len(plain):
+        panels = _panels_of_models(plain)
+        yield from _draw(
+            panels, folder / "success-by-level", columns=min(3, len(panels)), paper=paper
+        )
+    yield from _draw(_panels_of_methods(chosen), folder / "success-by-method", paper=paper)
+
+
+def _panels_of_models(plain: pd.DataFrame) -> list[Panel]:
+    runs = each_run(plain)
+    labels = distinct(runs, model_labels(runs, planners=True))
+    return [
+        Panel(label, (_series(plain, run, "", "none"),), planner)
+        for label, run, planner in zip(labels, runs["run"], runs["planner"], strict=True)
+    ]
+
+
+def _panels_of_methods(records: pd.DataFrame) -> list[Panel]:
+    panels = []
+    for _, part in records.groupby(SETTINGS, sort=False):
+        runs = each_run(part).sort_values("method", key=lambda names: names.map(place_of))
+        labels = distinct(runs, [method_label(method) for method in runs["method"]])
+        each = zip(labels, runs["run"], runs["method"], strict=True)
+        series = tuple(_series(part, run, label, method) for label, run, method in each)
+        [model], [planner] = set(runs["model"].map(model_label)), set(runs["planner"])
+        panels.append(Panel(f"{model} + {planner_label(planner)}", series, planner))
+    return panels
+
+
+def _series(records: pd.DataFrame, run: str, label: str, method: str) -> Series:
+    fill, hatch = METHOD_LOOKS.get(method, OTHER_LOOK)
+    rows = summarise(records[records["run"] == run], ["context", "reference"]).to_dict("records")
+    bars = {
+        (row["context"], row["reference"]): Bar(
+            *(100 * row[f"success_{name}"] for name in ("rate", "said_done_rate", "low", "high"))
+        )
+        for row in rows
+        if row["episodes"]
+    }
+    return Series(label, fill, hatch, method, bars)
+
+
+def _draw(panels: Sequence[Panel], path: Path, *, columns: int = 1, paper: bool) -> Iterator[Path]:
+    # matplotlib takes a second or two to import, and most scores are never drawn.
+    import matplotlib as mpl
+    from matplotlib.figure import Figure
+
+    with mpl.rc_context(LOOK):
+        rows = -(-len(panels) // columns)
+        most = max(len(panel.series) for panel in panels)
+        width = min(14.0, max(5.2 * columns, 3.2 + 0.9 * most + 4 * (most > 1)))
+        figure = Figure(figsize=(width, 2.7 * rows + 0.5), layout="constrained")
+        grid = figure.subplots(rows, columns, squeeze=False, sharey=True)
+        for axes, panel in zip(grid.flat, panels, strict=False):
+            _draw_panel(axes, panel, paper=paper)
+        for axes in list(grid.flat)[len(panels) :]:
+            axes.set_axis_off()
+        _legend(figure, panels, paper=paper)
+        for form in FORMATS:
+            written = path.with_suffix(f".{form}")
+            # no dates: the same scores give the same file
+            dated = {"svg": "Date", "pdf": "CreationDate"}.get(form)
+            figure.savefig(written, dpi=180, metadata={dated: None} if dated else {})
+            yield written
+
+
+def _draw_panel(axes: "Axes", panel: Panel, *, paper: bool) -> None:
+    step = 0.82 / len(panel.series)
+    for number, series in enumerate(panel.series):
+        for level, bar in series.bars.items():
+            if level[0] not in CONTEXTS:
+                continue
+            centre = _place(level) + (number - (len(panel.series) - 1) / 2) * step
+            _draw_bar(axes, series, bar, centre, 0.86 * step)
+            if paper and panel.planner == PLANNER:
+                _mark_published(axes, series.method, level, centre, step)
+    axes.set_title(panel.title)
+    axes.set_ylim(0, 104)
+    axes.set_yticks(range(0, 101, 25))
+    axes.set_ylabel("success, %")
+    axes.set_xlim(-0.6, _place((CONTEXTS[-1], REFERENCES[-1])) + 0.6)
+    axes.set_xticks([_place((c, r)) for c in CONTEXTS for r in REFERENCES], [*REFERENCES] * 3)
+    axes.tick_params(length=0)
+    axes.grid(axis="y", color=LINE, linewidth=0.8)
+    axes.set_axisbelow(True)
+    axes.spines[["top", "right", "left"]].set_visible(False)
+    for context in CONTEXTS:
+        middle = _place((context, REFERENCES[1]))
+        axes.annotate(
+            f"{context} context", (middle, 0), (0, -20), ha="center", va="top", weight="bold",
+            xycoords="data", textcoords="offset points",
+        )  # fmt: skip
+
+
+def _place(level: tuple[str, str]) -> float:
+    """Return where a level stands on the x axis; contexts stand a little apart."""
+    context, reference = level
+    number = CONTEXTS.index(context)
+    return number * (len(REFERENCES) + 0.5) + REFERENCES.index(reference)
+
+
+def _draw_bar(axes: "Axes", series: Series, bar: Bar, centre: float, width: float) -> None:
+    """Draw success as a frame, filled up to what was also said to be done, and its interval."""
+    axes.bar(centre, bar.rate, width, color="none", edgecolor=INK, linewidth=0.7, zorder=2)
+    axes.bar(
+        centre, bar.said_done, width, color=series.fill, hatch=series.hatch, edgecolor=INK,
+        linewidth=0.7, zorder=2,
+    )  # fmt: skip
+    spread = [[bar.rate - bar.low], [bar.high - bar.rate]]
+    # a pale line below the dark one, so that it is seen on dark bars
+    for colour, thick, order in (("#ffffff", 2.6, 3), (INK, 1.0, 4)):
+        axes.errorbar(
+            centre, bar.rate, yerr=spread, ecolor=colour, elinewidth=thick, capsize=2.0,
+            capthick=thick, fmt="none", zorder=order,
+        )  # fmt: skip
+
+
+def _mark_published(
+    axes: "Axes", method: str, level: tuple[str, str], centre: float, step: float
+) -> None:
+    context, reference = level
+    alone = step < 0.5
+    for (model, rates), marker in zip(
+        published_success(method, reference, context).items(), MARKERS, strict=False
+    ):
+        if alone and model != MODEL:
+            continue
+        for rate in rates:
+            axes.plot(
+                centre + 0.36 * step, rate, marker=marker, markersize=5, markerfacecolor="#ffffff",
+                markeredgecolor=INK, markeredgewidth=1.1, zorder=5, clip_on=False,
+            )  # fmt: skip
+
+
+def _legend(figure: "Figure", panels: Iterable[Panel], *, paper: bool) -> None:
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
+
+    looks = {s.label: (s.fill, s.hatch) for panel in panels for s in panel.series if s.label}
+    entries: list[Patch | Line2D] = [
+        Patch(facecolor=fill, hatch=hatch, edgecolor=INK, linewidth=0.7, label=label)
+        for label, (fill, hatch) in looks.items()
+    ]
+    entries.append(Patch(facecolor="none", edgecolor=INK, label="empty: solved, not said done"))
+    entries.append(Line2D([], [], color=INK, linewidth=1, label="95 % Wilson interval"))
+    if paper:
+        models = list(published_success("none", "explicit", "standard"))
+        shown = models if not looks else [MODEL]
+        entries += [
+            Line2D(
+                [], [], linestyle="none", marker=marker, markerfacecolor="#ffffff",
+                markeredgecolor=INK, label=f"paper: {model}, SayCan",
+            )
+            for model, marker in zip(models, MARKERS, strict=True)
+            if model in shown
+        ]  # fmt: skip
+    figure.legend(
+        handles=entries, loc="outside lower center", ncols=min(6, len(entries)), frameon=False
+    )
