@@ -6,6 +6,7 @@ denominator; nothing here reads message text.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from math import comb, sqrt
 from statistics import NormalDist
 
@@ -203,10 +204,17 @@ def bootstrap(
     sums, sizes = grouped.sum().to_numpy(), grouped.size().to_numpy()
     if len(sums) < 2:
         return float("nan"), float("nan")
-    chances = np.full(len(sums), 1 / len(sums))
-    drawn = np.random.default_rng(seed).multinomial(len(sums), chances, size=RESAMPLES)
+    drawn = _drawn(len(sums), seed)
     low, high = np.quantile((drawn @ sums) / (drawn @ sizes), [0.025, 0.975])
     return float(low), float(high)
+
+
+@lru_cache(maxsize=4)
+def _drawn(clusters: int, seed: int) -> "np.ndarray[tuple[int, int], np.dtype[np.float64]]":
+    """Return how often each cluster is drawn in each resample."""
+    chances = np.full(clusters, 1 / clusters)
+    times = np.random.default_rng(seed).multinomial(clusters, chances, size=RESAMPLES)
+    return times.astype(np.float64)
 
 
 def sign_test(first: int, second: int) -> float:

@@ -126,9 +126,9 @@ def _rows_by_unit(table: pd.DataFrame, units: list[str]) -> dict[tuple[Any, ...]
 
 
 def _numbers(row: Row) -> Row:
-    """Return a row with four decimals, `null` where there is no number, and faults inside."""
+    """Return a row with six decimals, `null` where there is no number, and faults inside."""
     plain = {
-        name: None if value != value else round(value, 4) if isinstance(value, float) else value
+        name: None if value != value else round(value, 6) if isinstance(value, float) else value
         for name, value in row.items()
     }
     if "object_omission" in row:

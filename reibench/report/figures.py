@@ -5,13 +5,13 @@ and lightness tell bars apart without them.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pandas as pd
 
-from reibench.dialogue import CONTEXTS, REFERENCES
+from reibench.dialogue import CONTEXTS, REFERENCES, Context
 from reibench.published import MODEL, PLANNER, published_success
 from reibench.report.error_tables import SETTINGS
 from reibench.report.labels import (
@@ -42,6 +42,7 @@ LOOK: Any = {
     "axes.titlecolor": INK,
     "axes.titlelocation": "left",
     "xtick.color": LABEL,
+    "xtick.labelsize": 7.5,
     "ytick.color": LABEL,
     "text.color": INK,
     "hatch.linewidth": 0.7,
@@ -51,20 +52,22 @@ LOOK: Any = {
 }
 METHOD_LOOKS = {
     "none": (PLAIN, ""),
-    "ap": ("#f3dfae", ""),
-    "gated-ap": ("#f3dfae", "////"),
-    "cot": ("#c98a1b", ""),
-    "short-cot": ("#c98a1b", "////"),
-    "segmented-cot": ("#c98a1b", "...."),
-    "icl": ("#dfe3e8", "xxxx"),
+    "ap": ("#f6e6bd", ""),
+    "gated-ap": ("#f6e6bd", "////"),
+    "cot": ("#d9a441", "...."),
+    "short-cot": ("#d9a441", "////"),
+    "segmented-cot": ("#d9a441", "xxxx"),
+    "icl": ("#dfe3e8", "||||"),
     "tocc": (ACCENT, ""),
-    "tocc-span": ("#16307a", ""),
-    "no-context": ("#ffffff", ""),
+    "tocc-span": ("#a9bdf5", "\\\\\\\\"),
+    "no-context": ("#f0eeea", "----"),
 }
-"""Fill and hatch of each method; one without has the last's, hatched."""
-OTHER_LOOK = ("#ffffff", "\\\\\\\\")
-MARKERS = ("D", "o", "s")
-"""The paper's models in the order of its tables, hollow."""
+"""Fill and hatch of each method."""
+OTHER_LOOK = ("#f0eeea", "oo")
+MARKERS = {MODEL: "D", "GPT-4o-mini": "o", "Deepseek-8B": "s"}
+"""The paper's models, hollow."""
+CROWDED = 4
+"""Of more runs than these the three contexts stand on axes of their own."""
 
 
 @dataclass(frozen=True)
@@ -75,6 +78,7 @@ class Bar:
     said_done: float
     low: float
     high: float
+    episodes: int
 
 
 @dataclass(frozen=True)
@@ -96,6 +100,7 @@ class Panel:
     title: str
     series: tuple[Series, ...]
     planner: str
+    contexts: tuple[Context, ...] = CONTEXTS
 
 
 def draw_figures(frame: pd.DataFrame, folder: Path, *, paper: bool = False) -> Iterator[Path]:
@@ -134,8 +139,16 @@ def _panels_of_methods(records: pd.DataFrame) -> list[Panel]:
         each = zip(labels, runs["run"], runs["method"], strict=True)
         series = tuple(_series(part, run, label, method) for label, run, method in each)
         [model], [planner] = set(runs["model"].map(model_label)), set(runs["planner"])
-        panels.append(Panel(f"{model} + {planner_label(planner)}", series, planner))
+        panel = Panel(f"{model} + {planner_label(planner)}", series, planner)
+        panels += [panel] if len(series) <= CROWDED else _by_context(panel)
     return panels
+
+
+def _by_context(panel: Panel) -> list[Panel]:
+    return [
+        replace(panel, title=f"{panel.title}, {context} context", contexts=(context,))
+        for context in CONTEXTS
+    ]
 
 
 def _series(records: pd.DataFrame, run: str, label: str, method: str) -> Series:
@@ -143,7 +156,11 @@ def _series(records: pd.DataFrame, run: str, label: str, method: str) -> Series:
     rows = summarise(records[records["run"] == run], ["context", "reference"]).to_dict("records")
     bars = {
         (row["context"], row["reference"]): Bar(
-            *(100 * row[f"success_{name}"] for name in ("rate", "said_done_rate", "low", "high"))
+            rate=100 * row["success_rate"],
+            said_done=100 * row["success_said_done_rate"],
+            low=100 * row["success_low"],
+            high=100 * row["success_high"],
+            episodes=row["episodes"],
         )
         for row in rows
         if row["episodes"]
@@ -159,11 +176,13 @@ def _draw(panels: Sequence[Panel], path: Path, *, columns: int = 1, paper: bool)
     with mpl.rc_context(LOOK):
         rows = -(-len(panels) // columns)
         most = max(len(panel.series) for panel in panels)
-        width = min(14.0, max(5.2 * columns, 3.2 + 0.9 * most + 4 * (most > 1)))
+        width = min(14.0, max(5.2 * columns, 6.0 + 1.4 * (most - 1)))
         figure = Figure(figsize=(width, 2.7 * rows + 0.5), layout="constrained")
         grid = figure.subplots(rows, columns, squeeze=False, sharey=True)
         for axes, panel in zip(grid.flat, panels, strict=False):
             _draw_panel(axes, panel, paper=paper)
+        for axes in grid[:, 0]:
+            axes.set_ylabel("success, %")
         for axes in list(grid.flat)[len(panels) :]:
             axes.set_axis_off()
         _legend(figure, panels, paper=paper)
@@ -179,34 +198,42 @@ def _draw_panel(axes: "Axes", panel: Panel, *, paper: bool) -> None:
     step = 0.82 / len(panel.series)
     for number, series in enumerate(panel.series):
         for level, bar in series.bars.items():
-            if level[0] not in CONTEXTS:
+            if level[0] not in panel.contexts:
                 continue
-            centre = _place(level) + (number - (len(panel.series) - 1) / 2) * step
+            centre = _place(level, panel) + (number - (len(panel.series) - 1) / 2) * step
             _draw_bar(axes, series, bar, centre, 0.86 * step)
             if paper and panel.planner == PLANNER:
                 _mark_published(axes, series.method, level, centre, step)
-    axes.set_title(panel.title)
+    axes.set_title(f"{panel.title}  (n = {_sizes(panel)})")
     axes.set_ylim(0, 104)
     axes.set_yticks(range(0, 101, 25))
-    axes.set_ylabel("success, %")
-    axes.set_xlim(-0.6, _place((CONTEXTS[-1], REFERENCES[-1])) + 0.6)
-    axes.set_xticks([_place((c, r)) for c in CONTEXTS for r in REFERENCES], [*REFERENCES] * 3)
+    levels = [(context, reference) for context in panel.contexts for reference in REFERENCES]
+    axes.set_xlim(-0.6, _place(levels[-1], panel) + 0.6)
+    axes.set_xticks(
+        [_place(level, panel) for level in levels], [reference for _, reference in levels]
+    )
     axes.tick_params(length=0)
     axes.grid(axis="y", color=LINE, linewidth=0.8)
     axes.set_axisbelow(True)
     axes.spines[["top", "right", "left"]].set_visible(False)
-    for context in CONTEXTS:
-        middle = _place((context, REFERENCES[1]))
+    for context in panel.contexts if len(panel.contexts) > 1 else ():
+        middle = _place((context, REFERENCES[1]), panel)
         axes.annotate(
             f"{context} context", (middle, 0), (0, -20), ha="center", va="top", weight="bold",
             xycoords="data", textcoords="offset points",
         )  # fmt: skip
 
 
-def _place(level: tuple[str, str]) -> float:
+def _sizes(panel: Panel) -> str:
+    """Return how many episodes a bar stands for."""
+    sizes = {bar.episodes for series in panel.series for bar in series.bars.values()} or {0}
+    return f"{min(sizes)}" if len(sizes) == 1 else f"{min(sizes)} to {max(sizes)}"
+
+
+def _place(level: tuple[str, str], panel: Panel) -> float:
     """Return where a level stands on the x axis; contexts stand a little apart."""
     context, reference = level
-    number = CONTEXTS.index(context)
+    number = panel.contexts.index(context)
     return number * (len(REFERENCES) + 0.5) + REFERENCES.index(reference)
 
 
@@ -230,16 +257,15 @@ def _mark_published(
     axes: "Axes", method: str, level: tuple[str, str], centre: float, step: float
 ) -> None:
     context, reference = level
-    alone = step < 0.5
-    for (model, rates), marker in zip(
-        published_success(method, reference, context).items(), MARKERS, strict=False
-    ):
-        if alone and model != MODEL:
+    several = step < 0.5
+    for model, rates in published_success(method, reference, context).items():
+        if several and model != MODEL:
             continue
         for rate in rates:
             axes.plot(
-                centre + 0.36 * step, rate, marker=marker, markersize=5, markerfacecolor="#ffffff",
-                markeredgecolor=INK, markeredgewidth=1.1, zorder=5, clip_on=False,
+                centre + 0.36 * step, rate, marker=MARKERS[model], markersize=4.5,
+                markerfacecolor="#ffffff", markeredgecolor=INK, markeredgewidth=1.1, zorder=5,
+                clip_on=False,
             )  # fmt: skip
 
 
@@ -255,15 +281,13 @@ def _legend(figure: "Figure", panels: Iterable[Panel], *, paper: bool) -> None:
     entries.append(Patch(facecolor="none", edgecolor=INK, label="empty: solved, not said done"))
     entries.append(Line2D([], [], color=INK, linewidth=1, label="95 % Wilson interval"))
     if paper:
-        models = list(published_success("none", "explicit", "standard"))
-        shown = models if not looks else [MODEL]
+        shown = [MODEL] if looks else list(MARKERS)
         entries += [
             Line2D(
-                [], [], linestyle="none", marker=marker, markerfacecolor="#ffffff",
+                [], [], linestyle="none", marker=MARKERS[model], markerfacecolor="#ffffff",
                 markeredgecolor=INK, label=f"paper: {model}, SayCan",
             )
-            for model, marker in zip(models, MARKERS, strict=True)
-            if model in shown
+            for model in shown
         ]  # fmt: skip
     figure.legend(
         handles=entries, loc="outside lower center", ncols=min(6, len(entries)), frameon=False

@@ -7,14 +7,17 @@ import pandas as pd
 NEEDS = "% needs \\usepackage{booktabs,graphicx,makecell,multirow}"
 NO_EPISODES = "--"
 SCALED = "\\scalebox{0.85}"
+SPECIAL = {character: f"\\{character}" for character in "&%$#_{}"} | {
+    "\\": "\\textbackslash{}",
+    "~": "\\textasciitilde{}",
+    "^": "\\textasciicircum{}",
+}
 TO_THE_WIDTH = "\\resizebox{\\textwidth}{!}"
 
 
 def escaped(text: str) -> str:
     """Return text with what LaTeX would read as its own."""
-    for character in "&%$#_{}":
-        text = text.replace(character, f"\\{character}")
-    return text
+    return "".join(SPECIAL.get(character, character) for character in text)
 
 
 def row(*cells: str) -> str:

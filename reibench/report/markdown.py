@@ -44,7 +44,7 @@ def outcomes(rows: list[Row]) -> str:
         keys = dict.fromkeys(key for each in found for key in each)
         lines += [[key, *(_solved(each.get(key)) for each in found)] for key in keys]
     for kind, title in TITLES.items():
-        lines.append([f"**{title}**", *(rate(row, kind).strip() for row in rows)])
+        lines.append([f"**{title}**", *(" ".join(rate(row, kind).split()) for row in rows)])
         lines += _faults(rows, kind)
     first = " / ".join(name.removeprefix("by_").replace(",", ", ") for name in names)
     return table([first, *map(_title, rows)], lines)

@@ -1,6 +1,6 @@
 """Tables of tokens and of success, in LaTeX."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import pandas as pd
@@ -40,28 +40,45 @@ def token_table(frame: pd.DataFrame) -> str:
         model if method == "none" else f"{model} {method_label(method)}"
         for model, method in zip(model_labels(runs, planners=True), runs["method"], strict=True)
     ]
-    lines = []
-    for label, run in zip(distinct(runs, named), runs["run"], strict=True):
-        if run in spent.index and spent.loc[run, "decisions"]:
-            cost = spent.loc[run]
-            tokens = ("input_tokens", "evaluated_tokens", "output_tokens", "total_tokens")
-            lines.append(
-                row(
-                    escaped(label),
-                    *(f"{cost[name]:.0f}" for name in tokens),
-                    *(f"{cost[name]:.2f}" for name in ("model_ms", "total_ms")),
-                )
-            )
-    header = [
-        row("Method", "Avg Input", "Evaluated", "Avg Output", "Avg Total", "Model", "Latency"),
-        row("", "Tokens", "Tokens", "Tokens", "Tokens", "(ms)", "(ms)"),
+    labels = distinct(runs, named)
+    paid = bool((spent["dollars"] > 0).any()) if len(spent) else False
+    lines = [
+        row(escaped(label), *_cost_cells(spent.loc[run], paid=paid))
+        for label, run in zip(labels, runs["run"], strict=True)
+        if run in spent.index and spent.loc[run, "decisions"]
     ]
+    header = [
+        ("Method", ""),
+        ("Avg Input", "Tokens"),
+        ("Evaluated", "Tokens"),
+        ("Avg Output", "Tokens"),
+        ("Avg Total", "Tokens"),
+        ("Model", "(ms)"),
+        ("Latency", "(ms)"),
+        ("Restating", "(in + out)"),
+        ("Saying Done", "(in + out)"),
+        *[("Cost", "(\\$)")] * paid,
+    ]
+    upper, lower = zip(*header, strict=True)
     caption = (
-        "Average token usage and latency per planning step, restating the instruction and saying"
-        " done counted in. Evaluated are the input tokens that were not in a cache."
+        "Average token usage and latency per planning step: a skill, or saying done. Every model"
+        " call is counted in; what restating the instruction and saying done took of it is also"
+        " said apart, per episode. Evaluated are the input tokens that were in no cache."
     )
-    body = ["\\toprule", *header, "\\midrule", *lines, "\\bottomrule"]
-    return f"{NEEDS}\n{table(caption, 'token_latency', 'lcccccc', body)}"
+    body = ["\\toprule", row(*upper), row(*lower), "\\midrule", *lines, "\\bottomrule"]
+    return f"{NEEDS}\n{table(caption, 'token_latency', 'l' + 'c' * (len(header) - 1), body)}"
+
+
+def _cost_cells(cost: "pd.Series[float]", *, paid: bool) -> Iterator[str]:
+    for name in ("input_tokens", "evaluated_tokens", "output_tokens", "total_tokens"):
+        yield f"{cost[name]:.0f}"
+    for name in ("model_ms", "total_ms"):
+        yield f"{cost[name]:.2f}"
+    for part in ("method", "closing"):
+        told, answered = cost[f"{part}_input_tokens"], cost[f"{part}_output_tokens"]
+        yield f"{told:.0f} + {answered:.0f}" if told or answered else NO_EPISODES
+    if paid:
+        yield f"{cost['dollars']:.4f}"
 
 
 def success_table(frame: pd.DataFrame) -> str:
