@@ -169,11 +169,12 @@ def paired(frame: pd.DataFrame, first: str, second: str, reading: str = "success
         second: another's.
         reading: what counts as solved, `success` or `success_said_done`.
     """
-    finished = frame[frame["status"].notna()].assign(solved=COUNTED[reading](frame))
+    mine = frame[frame["run"].isin([first, second]) & frame["status"].notna()]
+    finished = mine.assign(solved=COUNTED[reading](mine))
     # The same id may stand for another text in another version of the data: digests do not.
     columns = finished.set_index("episode_digest")[["run", "task", "solved"]]
     one, other = (columns[columns["run"] == run] for run in (first, second))
-    both = one.join(other[["solved"]], how="inner", rsuffix="_second")
+    both = one.merge(other[["solved"]], left_index=True, right_index=True, suffixes=("", "_second"))
     before, after = both["solved"].astype(bool), both["solved_second"].astype(bool)
     only_first, only_second = int((before & ~after).sum()), int((~before & after).sum())
     gains = after.astype(int) - before.astype(int)
@@ -204,8 +205,8 @@ def bootstrap(
     sums, sizes = grouped.sum().to_numpy(), grouped.size().to_numpy()
     if len(sums) < 2:
         return float("nan"), float("nan")
-    drawn = _drawn(len(sums), seed)
-    low, high = np.quantile((drawn @ sums) / (drawn @ sizes), [0.025, 0.975])
+    totals = _drawn(len(sums), seed) @ np.column_stack([sums, sizes])
+    low, high = np.quantile(totals[:, 0] / totals[:, 1], [0.025, 0.975])
     return float(low), float(high)
 
 

@@ -68,10 +68,11 @@ def score_rows(
     rows: list[Row] = []
     for key, [row] in _rows_by_unit(summarise(frame, units), units).items():
         mine = members[key]
+        named = dict(zip(units, key, strict=True))
         rows.append(
             {
-                **dict(zip(units, key, strict=True)),
-                **_described(mine),
+                **named,
+                **_described(mine, named),
                 **row,
                 "cost": next(iter(spent.get(key, [])), None),
                 "determined_only": next(iter(apart.get(key, [])), None),
@@ -97,8 +98,9 @@ def _compare(frame: pd.DataFrame, rows: list[Row], first: str) -> None:
         }
 
 
-def _described(records: pd.DataFrame) -> Row:
+def _described(records: pd.DataFrame, named: Row) -> Row:
     """Say whose records these are: what all their runs share, and which runs they are."""
+    pooled = ", ".join(f"{column} {value or 'none'}" for column, value in named.items())
     runs = records.drop_duplicates("run")
     specs = [json.loads(spec) for spec in runs["spec"]]
     shared = {
@@ -108,7 +110,7 @@ def _described(records: pd.DataFrame) -> Row:
     }
     marks = sorted({verified(spec["world"]) for spec in specs} - {""})
     return {
-        "actor": " and ".join(dict.fromkeys(runs["actor"])),
+        "actor": runs["actor"].iloc[0] if "run" in named else pooled,
         "runs": list(runs["run"]),
         "verification": ", ".join(marks),
         "spec": shared,

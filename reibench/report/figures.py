@@ -197,11 +197,11 @@ def _draw(panels: Sequence[Panel], path: Path, *, columns: int = 1, paper: bool)
 def _draw_panel(axes: "Axes", panel: Panel, *, paper: bool) -> None:
     step = 0.82 / len(panel.series)
     for number, series in enumerate(panel.series):
-        for level, bar in series.bars.items():
+        for level in series.bars:
             if level[0] not in panel.contexts:
                 continue
             centre = _place(level, panel) + (number - (len(panel.series) - 1) / 2) * step
-            _draw_bar(axes, series, bar, centre, 0.86 * step)
+            _draw_bar(axes, (series, level), centre, 0.86 * step)
             if paper and panel.planner == PLANNER:
                 _mark_published(axes, series.method, level, centre, step)
     axes.set_title(f"{panel.title}  (n = {_sizes(panel)})")
@@ -237,13 +237,22 @@ def _place(level: tuple[str, str], panel: Panel) -> float:
     return number * (len(REFERENCES) + 0.5) + REFERENCES.index(reference)
 
 
-def _draw_bar(axes: "Axes", series: Series, bar: Bar, centre: float, width: float) -> None:
+def _draw_bar(
+    axes: "Axes", drawn: tuple[Series, tuple[str, str]], centre: float, width: float
+) -> None:
     """Draw success as a frame, filled up to what was also said to be done, and its interval."""
-    axes.bar(centre, bar.rate, width, color="none", edgecolor=INK, linewidth=0.7, zorder=2)
-    axes.bar(
-        centre, bar.said_done, width, color=series.fill, hatch=series.hatch, edgecolor=INK,
-        linewidth=0.7, zorder=2,
-    )  # fmt: skip
+    series, level = drawn
+    bar = series.bars[level]
+    for height, colour, hatch in (
+        (bar.rate, "none", ""),
+        (bar.said_done, series.fill, series.hatch),
+    ):
+        [patch] = axes.bar(
+            centre, height, width, color=colour, hatch=hatch, edgecolor=INK, linewidth=0.7, zorder=2
+        )
+        reading = "solved" if colour == "none" else "said-done"
+        # what the bar stands for, for whoever reads the SVG
+        patch.set_gid(f"{series.method} {level[1]}-{level[0]} {reading} {height:.1f}")
     spread = [[bar.rate - bar.low], [bar.high - bar.rate]]
     # a pale line below the dark one, so that it is seen on dark bars
     for colour, thick, order in (("#ffffff", 2.6, 3), (INK, 1.0, 4)):
@@ -262,11 +271,12 @@ def _mark_published(
         if several and model != MODEL:
             continue
         for rate in rates:
-            axes.plot(
+            [mark] = axes.plot(
                 centre + 0.36 * step, rate, marker=MARKERS[model], markersize=4.5,
                 markerfacecolor="#ffffff", markeredgecolor=INK, markeredgewidth=1.1, zorder=5,
                 clip_on=False,
             )  # fmt: skip
+            mark.set_gid(f"paper {model} {method} {reference}-{context} {rate:.1f}")
 
 
 def _legend(figure: "Figure", panels: Iterable[Panel], *, paper: bool) -> None:

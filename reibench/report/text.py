@@ -62,7 +62,7 @@ def _heading(row: Row) -> str:
     spec, runs = row["spec"], row["runs"]
     said = [f"{spec['rules']} rules"] if "rules" in spec else []
     said += [f"{spec['max_steps']} steps"] if "max_steps" in spec else []
-    said += [f"code {spec['code']}"] if "code" in spec else []
+    said += [f"code {spec['code']}"] if spec.get("code") else []
     said += [f"run {runs[0]}"] if len(runs) == 1 else [f"{len(runs)} runs together"]
     where = "" if spec.get("world") == "embedded" else f"{_where(row)}, "
     return f"{row['actor']}  ·  {where}{', '.join(said)}"
