@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Sequence
 
 from reibench.report import Row
 from reibench.report.labels import TITLES
-from reibench.report.paper import in_words
+from reibench.report.paper import in_words, our_words
 from reibench.report.text import NOTHING, points, rate
 from reibench.score import FAULTS
 
@@ -46,6 +46,11 @@ def outcomes(rows: list[Row]) -> str:
     for kind, title in TITLES.items():
         lines.append([f"**{title}**", *(" ".join(rate(row, kind).split()) for row in rows)])
         lines += _faults(rows, kind)
+    apart = [row["determined_only"] for row in rows]
+    pairs = list(zip(rows, apart, strict=True))
+    if any(each and each["episodes"] != row["episodes"] for row, each in pairs):
+        cells = (" ".join(rate(each, "success").split()) if each else "–" for each in apart)
+        lines.append(["success without the underdetermined", *cells])
     first = " / ".join(name.removeprefix("by_").replace(",", ", ") for name in names)
     return table([first, *map(_title, rows)], lines)
 
@@ -144,7 +149,7 @@ def _against_paper(rows: list[Row]) -> str:
             _title(row),
             f"{each['reference']}-{each['context']}",
             each["metric"].replace("_", " "),
-            f"{each['ours']:.1f} [{each['low']:.1f}, {each['high']:.1f}]",
+            our_words(each),
             in_words(each["published"]),
         ]
         for row in rows

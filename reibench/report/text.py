@@ -5,7 +5,7 @@ from typing import Any
 
 from reibench.report import Row
 from reibench.report.labels import TITLES
-from reibench.report.paper import in_words
+from reibench.report.paper import in_words, our_words
 from reibench.score import COUNTED
 
 NOTHING = "No episode has been run yet."
@@ -144,8 +144,8 @@ def _against_paper(row: Row) -> Iterator[str]:
     yield "  error rates beside the paper's (SayCan), %"
     for each in against["errors"]:
         level, kind = f"{each['reference']}-{each['context']}", each["metric"].replace("_", " ")
-        ours = f"{each['ours']:5.1f} [{each['low']:.1f}, {each['high']:.1f}]"
-        yield f"    {level:<18} {kind:<16} {ours:<20} paper: {in_words(each['published'])}"
+        ours = our_words(each)
+        yield f"    {level:<18} {kind:<16} {ours:<22} paper: {in_words(each['published'])}"
     if against["cost"]:
         yield (
             "    a planning step of the paper's LLaMA3.1-8B:"

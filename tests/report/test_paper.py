@@ -22,6 +22,8 @@ def test_every_level_and_kind_is_set_beside_the_paper_s(score_json):
     assert len(none["against_paper"]["errors"]) == len(tocc["against_paper"]["errors"]) == 27
     ours = cells(tocc, "implicit", "short", "overall_error")
     assert (ours["ours"], ours["episodes"]) == (50.0, 2)
+    easy = cells(tocc, "explicit", "short", "overall_error")
+    assert (easy["ours"], easy["said_done"]) == (0.0, 50.0)
     assert [(cell["model"], cell["value"]) for cell in ours["published"]] == [("LLaMA3.1-8B", 74.9)]
     assert tocc["against_paper"]["cost"]["input_tokens"] == 1894
 

@@ -40,5 +40,17 @@ def test_markdown_shows_solved_of_played_and_the_second_reading(score):
     assert "| – wrong object | 3 | 0 |" in lines
 
 
+def test_underdetermined_episodes_are_also_left_out_of_one_row(store, score):
+    with store.writing() as database:
+        database.execute("update records set underdetermined = 1 where level = 'implicit-short'")
+    row = next(x for x in score("--markdown").splitlines() if "underdetermined" in x)
+    assert row.split(" | ")[1:] == [
+        "9 of 16 56.2% [33.2%, 76.9%]",
+        "14 of 16 87.5% [64.0%, 96.5%] |",
+    ]
+
+
 def test_a_grouping_that_pools_runs_names_what_they_share(score):
-    assert score("--by", "planner").startswith("planner saycan  ·  strict rules, 12 steps, code")
+    assert score("--by", "planner").startswith(
+        "planner saycan  ·  strict rules, 12 steps, 2 runs together"
+    )
