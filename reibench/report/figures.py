@@ -176,7 +176,7 @@ def _draw(panels: Sequence[Panel], path: Path, *, columns: int = 1, paper: bool)
     with mpl.rc_context(LOOK):
         rows = -(-len(panels) // columns)
         most = max(len(panel.series) for panel in panels)
-        width = min(14.0, max(5.2 * columns, 6.0 + 1.4 * (most - 1)))
+        width = min(14.0, max(4.6 * columns, 7.0 + 1.4 * (most - 1)))
         figure = Figure(figsize=(width, 2.7 * rows + 0.5), layout="constrained")
         grid = figure.subplots(rows, columns, squeeze=False, sharey=True)
         for axes, panel in zip(grid.flat, panels, strict=False):
@@ -299,6 +299,10 @@ def _legend(figure: "Figure", panels: Iterable[Panel], *, paper: bool) -> None:
             )
             for model in shown
         ]  # fmt: skip
+    fitting = int(figure.get_figwidth() / 2.7)
     figure.legend(
-        handles=entries, loc="outside lower center", ncols=min(6, len(entries)), frameon=False
+        handles=entries,
+        loc="outside lower center",
+        ncols=min(fitting, len(entries)),
+        frameon=False,
     )
