@@ -2,6 +2,8 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
+from inspect import signature
 from itertools import takewhile
 from typing import Any
 
@@ -58,12 +60,16 @@ class Evaluator:
                 f" which is {self.longest} tokens."
             )
         kept = self._nearest(tuple(tokens))
-        new = tokens[len(kept.tokens) :]
-        fresh = torch.tensor([new], device=self.model.device)
+        new = list(tokens[len(kept.tokens) :])
+        # recurrent layers go on from a state one token at a time
+        passes = [new] if self._cuttable or not kept.tokens else [[token] for token in new]
         kept.tokens = ()  # until it has gone well
+        state = {self._state_is_called: kept.state} if self._state_is_called else {}
         with torch.inference_mode():
-            answer = self.model(fresh, past_key_values=kept.state, use_cache=True, logits_to_keep=1)
-        kept.tokens = tuple(tokens)
+            for part in passes:
+                fresh = torch.tensor([part], device=self.model.device)
+                answer = self.model(fresh, **state, use_cache=bool(state), logits_to_keep=1)
+        kept.tokens = tuple(tokens) if state else ()
         self.evaluated += len(new)
         return answer.logits[0, -1].float()
 
@@ -103,9 +109,17 @@ class Evaluator:
             kept.state.crop(-extra)
             kept.tokens = kept.tokens[:length]
 
-    @property
+    @cached_property
+    def _state_is_called(self) -> str:
+        """What the model calls its state among its arguments; nothing if it takes none."""
+        taken = signature(self.model.forward).parameters
+        return next((name for name in ("past_key_values", "cache_params") if name in taken), "")
+
+    @cached_property
     def _cuttable(self) -> bool:
-        return set(getattr(self._config, "layer_types", None) or CUTTABLE) <= CUTTABLE
+        layers = set(getattr(self._config, "layer_types", None) or CUTTABLE)
+        stateful = getattr(self.model, "_is_stateful", False)
+        return layers <= CUTTABLE and not stateful and self._state_is_called == "past_key_values"
 
     def _fresh(self) -> Any:
         from transformers import DynamicCache

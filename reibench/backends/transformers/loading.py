@@ -3,11 +3,13 @@
 import logging
 from dataclasses import dataclass
 from importlib.util import find_spec
+from pathlib import Path
 from time import perf_counter
 from typing import Any
 
+from reibench import models
 from reibench.backends.transformers.source import Source
-from reibench.errors import ModelUnavailable
+from reibench.errors import ModelUnavailable, unknown
 
 NEEDED = ("torch", "transformers", "accelerate", "gguf", "llguidance")
 INSTALL = "pip install -r requirements-hf.txt"
@@ -24,8 +26,14 @@ class Loaded:
 
 
 def load(source: Source) -> Loaded:
-    """Load `source`, downloading it if need be; raises ModelUnavailable."""
+    """Load `source`, downloading it if need be.
+
+    Raises:
+        UnknownName: when its name can be none.
+        ModelUnavailable: when it cannot be had, is damaged, or too big.
+    """
     _check_packages(source)
+    _check_quantization(source)
     import safetensors
     import torch
     import transformers
@@ -35,8 +43,8 @@ def load(source: Source) -> Loaded:
     where, arguments = _where(source)
     started = perf_counter()
     try:
-        tokenizer = transformers.AutoTokenizer.from_pretrained(where, **arguments)
         config = transformers.AutoConfig.from_pretrained(where, **arguments)
+        tokenizer = transformers.AutoTokenizer.from_pretrained(where, **arguments)
         arguments |= _how(source, device, getattr(config, "quantization_config", None))
         model = transformers.AutoModelForCausalLM.from_pretrained(where, **arguments)
         if source.quantization == "none":
@@ -58,11 +66,6 @@ def _check_packages(source: Source) -> None:
             f"hf:{source.name} needs what is not installed here ({', '.join(missing)}); install it"
             f" with '{INSTALL}'."
         )
-    if source.quantization != "none" and find_spec("bitsandbytes") is None:
-        raise ModelUnavailable(
-            f"quantization={source.quantization} needs bitsandbytes, which is not installed;"
-            " install it with 'pip install bitsandbytes', or leave the option out."
-        )
 
 
 def _device(source: Source) -> str:
@@ -82,19 +85,32 @@ def _device(source: Source) -> str:
     return source.device
 
 
+def _check_quantization(source: Source) -> None:
+    if source.quantization == "none":
+        return
+    if file := source.file:
+        raise ModelUnavailable(
+            f"quantization={source.quantization} cannot be had for {file.name}, which is quantized"
+            " already; leave the option out, or name a checkpoint that is not GGUF."
+        )
+    if find_spec("bitsandbytes") is None:
+        raise ModelUnavailable(
+            f"quantization={source.quantization} needs bitsandbytes, which is not installed;"
+            " install it with 'pip install bitsandbytes', or leave the option out."
+        )
+
+
 def _where(source: Source) -> tuple[str, dict[str, Any]]:
-    """Return what to load from, and the arguments for every part of it."""
+    """Return what to load from, and the arguments for every part of it; raises as `load`."""
     if (file := source.file) is None:
-        return source.name, {"revision": source.revision}
+        if "/" not in source.name and not Path(source.name).is_dir():
+            named = [model.name for model in models.shelf()]
+            raise unknown("hf model", source.name, [*named, "ORG/NAME", "PATH", "PATH.gguf"])
+        return str(Path(source.name).expanduser()), {"revision": source.revision}
     if not file.is_file():
         raise ModelUnavailable(
             f"There is no model file {file}; give the path of a GGUF file, a folder with a"
             " checkpoint, or ORG/NAME on the Hugging Face hub."
-        )
-    if source.quantization != "none":
-        raise ModelUnavailable(
-            f"quantization={source.quantization} cannot be had for {file.name}, which is quantized"
-            " already; leave the option out, or name a checkpoint that is not GGUF."
         )
     return str(file.parent), {"gguf_file": file.name}
 
