@@ -9,6 +9,7 @@ import pytest
 from reibench.__main__ import main
 from reibench.backends.scripted import ScriptedBackend
 from reibench.dataset.files import shipped_episodes
+from reibench.dataset.sample import select
 from reibench.episode import Episode
 from reibench.household import room_names
 from reibench.methods import Instruction
@@ -26,7 +27,14 @@ SHARED = Path(os.environ.get("REIBENCH_SHARED", Path(__file__).parents[1] / ".."
 
 @pytest.fixture(scope="session")
 def episodes() -> dict[str, Episode]:
-    return {episode.id: episode for episode in shipped_episodes()}
+    """Return the 54 that set the standard: small enough to play all of them."""
+    return {episode.id: episode for episode in select(shipped_episodes(), "gold")}
+
+
+@pytest.fixture(scope="session")
+def shipped() -> list[Episode]:
+    """Return all 2,700."""
+    return shipped_episodes()
 
 
 @pytest.fixture

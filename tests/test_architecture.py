@@ -15,6 +15,8 @@ ONLY_IN = {
     "torch": ("reibench/backends/transformers/",),
     "transformers": ("reibench/backends/transformers/",),
     "llguidance": ("reibench/backends/transformers/",),
+    "openai": ("reibench/backends/openai.py",),
+    "httpx2": ("reibench/backends/openai.py",),
     "xllamacpp": ("reibench/backends/llama_cpp.py",),
     "sqlite_utils": ("reibench/store/",),
 }
@@ -31,7 +33,9 @@ LEVELS = {
     "bench": 8, "commands": 8, "pages": 8, "__main__": 8,
 }  # fmt: skip
 MODULES = sorted((ROOT / "reibench").rglob("*.py"))
-HEAVY = ("torch", "ai2thor", "gradio", "fastapi", "xllamacpp", "transformers", "llguidance")
+HEAVY = (
+    "torch", "ai2thor", "gradio", "fastapi", "xllamacpp", "transformers", "llguidance", "openai",
+)  # fmt: skip
 CATCHING = {"run.py"}
 """Where everything may be caught: an episode that breaks is recorded as an error."""
 

@@ -14,7 +14,9 @@ from reibench.worlds.naming import world_settings
 
 def add_episodes(command: ArgumentParser) -> None:
     """Add the options that choose episodes."""
-    command.add_argument("--episodes", default="all", help="all, levels, types, rooms, ids, FILE")
+    command.add_argument(
+        "--episodes", default="all", help="all, levels, types, rooms, ids, gold, rei-1000, FILE"
+    )
     command.add_argument("--limit", type=int, help="at most so many, spread evenly over them")
     command.add_argument("--data", action="append", default=[], help="an episode file (.jsonl)")
 

@@ -11,6 +11,8 @@ from reibench.episode import Episode, TaskType
 from reibench.errors import InvalidEpisode, unknown
 
 Kind = Callable[[Episode], str]
+SAMPLES = Path(__file__).parents[2] / "assets" / "samples"
+"""The project's own manifests, which may be called by their names."""
 
 
 def select(episodes: Sequence[Episode], wanted: str) -> list[Episode]:
@@ -18,8 +20,9 @@ def select(episodes: Sequence[Episode], wanted: str) -> list[Episode]:
 
     Args:
         episodes: all there are.
-        wanted: `all`, a manifest file, or comma-separated levels, references, contexts, task types,
-            rooms, tasks or episode ids; several of one kind are alternatives, kinds intersect.
+        wanted: `all`, a manifest (a file, or the name of a shipped one), or comma-separated levels,
+            references, contexts, task types, rooms, tasks or episode ids; several of one kind are
+            alternatives, kinds intersect.
 
     Raises:
         UnknownName: for a word that is none of these.
@@ -28,6 +31,8 @@ def select(episodes: Sequence[Episode], wanted: str) -> list[Episode]:
         return list(episodes)
     if wanted.endswith(".json"):
         return _from_manifest(episodes, Path(wanted))
+    if wanted in samples():
+        return _from_manifest(episodes, SAMPLES / f"{wanted}.json")
     kinds: dict[str, tuple[Kind, set[str]]] = {}
     for word in filter(None, (part.strip() for part in wanted.split(","))):
         name, kind = _kind_of(episodes, word)
@@ -37,6 +42,11 @@ def select(episodes: Sequence[Episode], wanted: str) -> list[Episode]:
         for episode in episodes
         if all(kind(episode) in words for kind, words in kinds.values())
     ]
+
+
+def samples() -> list[str]:
+    """Return the names of the shipped manifests."""
+    return sorted(path.stem for path in SAMPLES.glob("*.json"))
 
 
 def _kind_of(episodes: Sequence[Episode], word: str) -> tuple[str, Kind]:
@@ -52,7 +62,8 @@ def _kind_of(episodes: Sequence[Episode], word: str) -> tuple[str, Kind]:
     for name, (words, kind) in kinds.items():
         if word in words:
             return name, kind
-    known = [*(word for words, _ in kinds.values() for word in sorted(words)), "all"]
+    named = (word for words, _ in kinds.values() for word in sorted(words))
+    known = [*named, "all", *samples(), "FILE.json"]
     raise unknown("episode, level, task type, room or task", word, known)
 
 

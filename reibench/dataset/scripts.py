@@ -129,6 +129,12 @@ def read_scripts(path: Path) -> list[Script]:
     return found
 
 
+def shipped_scripts() -> list[Script]:
+    """Return the project's own scripts: the six that set the standard first, then type by type."""
+    paths = sorted(SCRIPTS.glob("*.txt"), key=lambda path: (path.stem != "gold", path.name))
+    return [script for path in paths for script in read_scripts(path)]
+
+
 def _read(path: Path, block: list[tuple[int, str]]) -> Script:
     name = block[0][1].removeprefix("# ")
     head: dict[str, str] = {}
