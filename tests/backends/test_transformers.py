@@ -14,7 +14,7 @@ from reibench.backends import Prompt
 from reibench.backends.opening import open_backend
 from reibench.errors import ModelUnavailable, ReibenchError, UnknownName
 from reibench.skill import DONE, SKILLS
-from tests.backends.tiny import FAMILIES, TEMPLATE, tiny
+from tests.backends.tiny import tiny
 
 OPTIONS = [*(f" {skill}" for skill in SKILLS), f" {DONE}"]
 ROOT = "Robot: find a mug, pick up the mug,"
@@ -32,21 +32,16 @@ def model(checkpoint):
     opened.close()
 
 
-@pytest.mark.parametrize("family", FAMILIES)
-def test_what_is_kept_of_earlier_prompts_changes_no_answer(tmp_path, family):
-    folder = tiny(tmp_path, family)
+def test_a_model_answers_the_same_whatever_it_was_asked_before(checkpoint):
     prompts = [
         Prompt(f"{ROOT} find a {thing}, {'find a sink, ' * number}find")
-        for number, thing in enumerate(["pan", "pot", "potato", "pan", "mug", "pan"])
+        for number, thing in enumerate(["pan", "pot", "potato", "pan"])
     ]
-    used = open_backend(f"hf:{folder}?slots=2")
+    used = open_backend(f"hf:{checkpoint}?slots=2")
     for prompt in prompts:
-        fresh = open_backend(f"hf:{folder}")
+        fresh = open_backend(f"hf:{checkpoint}")
         assert used.generate(prompt, max_tokens=6).text == fresh.generate(prompt, max_tokens=6).text
-        chosen, expected = used.choose(prompt, OPTIONS), fresh.choose(prompt, OPTIONS)
-        assert chosen.text == expected.text
-        shares = [one.probability for one in chosen.alternatives]
-        assert shares == pytest.approx([one.probability for one in expected.alternatives], abs=1e-4)
+        assert used.choose(prompt, OPTIONS).text == fresh.choose(prompt, OPTIONS).text
 
 
 def test_only_what_is_new_in_a_prompt_is_evaluated(model):
@@ -79,7 +74,6 @@ def test_a_prompt_is_sent_in_the_chat_template_if_asked_and_there_is_one(tmp_pat
     assert chat.generate(asked, max_tokens=2).prompt == "[INST] Bring a mug. [/INST] Answer: find"
     assert chat.choose(Prompt("Robot:"), OPTIONS).prompt == "Robot:"
     assert model.generate(asked, max_tokens=2).prompt == "Bring a mug. find"
-    assert "[INST]" in TEMPLATE
 
 
 def test_usage_counts_what_was_sent_and_made(model):

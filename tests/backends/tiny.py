@@ -29,18 +29,24 @@ FAMILIES = {
 
 def tiny(folder: Path, family: str = "llama", *, chat: bool = False, **settings: object) -> Path:
     """Write a checkpoint into `folder`."""
+    tokenizer = _tokenizer()
+    if chat:
+        tokenizer.chat_template = TEMPLATE
+    network(family, vocab_size=len(tokenizer), **settings).save_pretrained(folder)
+    tokenizer.save_pretrained(folder)
+    return folder
+
+
+def network(family: str, **settings: object):
+    """Make a model with random weights, the same each time."""
     import torch
     import transformers
 
     torch.manual_seed(0)
-    tokenizer = _tokenizer()
-    if chat:
-        tokenizer.chat_template = TEMPLATE
-    shape = {**SHAPE, **FAMILIES[family], "vocab_size": len(tokenizer), **settings}
-    config = transformers.AutoConfig.for_model(family, **shape)
-    transformers.AutoModelForCausalLM.from_config(config).save_pretrained(folder)
-    tokenizer.save_pretrained(folder)
-    return folder
+    shape = {**SHAPE, **FAMILIES[family], **settings}
+    return transformers.AutoModelForCausalLM.from_config(
+        transformers.AutoConfig.for_model(family, **shape)
+    )
 
 
 def _tokenizer():
