@@ -12,8 +12,9 @@ ONLY_IN = {
     "gradio": ("app.py", "reibench/pages/"),
     "fastapi": ("app.py",),
     "ai2thor": ("reibench/worlds/ai2thor/client.py",),
-    "torch": ("reibench/backends/transformers.py",),
-    "transformers": ("reibench/backends/transformers.py",),
+    "torch": ("reibench/backends/transformers/",),
+    "transformers": ("reibench/backends/transformers/",),
+    "llguidance": ("reibench/backends/transformers/",),
     "openai": ("reibench/backends/openai.py",),
     "httpx2": ("reibench/backends/openai.py",),
     "xllamacpp": ("reibench/backends/llama_cpp.py",),
@@ -37,7 +38,7 @@ LEVELS = {
 }  # fmt: skip
 MODULES = sorted((ROOT / "reibench").rglob("*.py"))
 HEAVY = (
-    "torch", "ai2thor", "gradio", "fastapi", "xllamacpp", "transformers", "openai",
+    "torch", "ai2thor", "gradio", "fastapi", "xllamacpp", "transformers", "llguidance", "openai",
     "unified_planning", "up_fast_downward", "matplotlib",
 )  # fmt: skip
 CATCHING = {"run.py"}
