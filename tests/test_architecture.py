@@ -16,6 +16,7 @@ ONLY_IN = {
     "transformers": ("reibench/backends/transformers.py",),
     "xllamacpp": ("reibench/backends/llama_cpp.py",),
     "sqlite_utils": ("reibench/store/",),
+    "ray": ("reibench/evaluation/on_ray.py",),
 }
 LEVELS = {
     "errors": 0, "registry": 0,
@@ -26,11 +27,11 @@ LEVELS = {
     "planners": 5,
     "rollout": 6,
     "verdict": 7, "version": 7, "run": 7, "store": 7, "score": 7, "report": 7, "replay": 7,
-    "watching": 7, "sittings": 7, "view": 7, "fidelity": 7,
+    "watching": 7, "sittings": 7, "view": 7, "fidelity": 7, "evaluation": 7,
     "bench": 8, "commands": 8, "pages": 8, "__main__": 8,
 }  # fmt: skip
 MODULES = sorted((ROOT / "reibench").rglob("*.py"))
-HEAVY = ("torch", "ai2thor", "gradio", "fastapi", "xllamacpp", "transformers")
+HEAVY = ("torch", "ai2thor", "gradio", "fastapi", "xllamacpp", "transformers", "ray")
 CATCHING = {"run.py"}
 """Where everything may be caught: an episode that breaks is recorded as an error."""
 
