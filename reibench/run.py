@@ -147,13 +147,15 @@ def evaluate(
     backend: Backend | None,
     world: World,
     store: "Store",
+    *,
+    retry: bool = False,
 ) -> Iterator[Record]:
     """Play `episodes` in turn; each begun leaves one record in `store`, even if it breaks.
 
-    Episodes this spec has finished already are not repeated; one that was cut short is played
-    again from its start, under the same record.
+    Episodes this spec has finished already are not repeated, but for those that broke if `retry`;
+    one that was cut short is played again from its start, under the same record.
     """
-    finished = store.finished(spec)
+    finished = store.finished(spec, but_errors=retry)
     for chosen in episodes:
         if chosen.id in finished:
             continue

@@ -96,7 +96,7 @@ def _alone(
     with closing(world):
         for share in group:
             begun = perf_counter()
-            for record in evaluate(share.spec, share.left, backend, world, store):
+            for record in evaluate(share.spec, share.left, backend, world, store, retry=True):
                 yield share.spec, record, perf_counter() - begun
                 begun = perf_counter()
 

@@ -68,6 +68,8 @@ class Crew:
                         waiting.appendleft(lost)
                     elif lost:
                         yield Played(lost, _lost_record(lost, report), 0.0)
+                    if lost and waiting:
+                        self._engage(hand.place)
                     continue
                 hand.job = None
                 self._ready.append(hand)
@@ -111,14 +113,14 @@ class Crew:
                     self._announce("No worker is ready yet; waiting for one.")
 
     def _leave(self, hand: Hand, problem: BaseException) -> Job | None:
-        """Replace a worker that died, and return the job it was at; raise anything else."""
+        """Let a worker that died go, and return the job it was at; raise anything else."""
         job, hand.job = hand.job, None
         self._hands.remove(hand)
         hand.worker.close()
         if not isinstance(problem, WorkerLost):
             raise problem
         self._deaths += 1
-        if self._deaths > 3 * self._size or not (job or self._hands):
+        if self._deaths > 2 * self._size or not (job or self._hands):
             raise WorkerLost(
                 f"{self._deaths} workers died without finishing an episode, the last because"
                 f" {problem}; is the memory enough for {self._size} at once? Fewer --workers need"
@@ -128,7 +130,6 @@ class Crew:
             self._announce(f"A worker could not start: {problem}. Going on with fewer.")
             return None
         self._announce(f"{job.episode.id}: {problem}.")
-        self._engage(hand.place)
         return job
 
 

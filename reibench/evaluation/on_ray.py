@@ -40,6 +40,7 @@ class RayCluster:
             raise ReibenchError(
                 "--ray needs Ray, which is not installed: pip install -r requirements-ray.txt."
             ) from None
+        _check_reachable(address)
         settings: dict[str, Any] = {"logging_level": logging.ERROR, "log_to_driver": False}
         if address == LOCAL:
             settings |= {"include_dashboard": False, "num_cpus": workers or None}
@@ -82,6 +83,20 @@ class RayCluster:
         return [count for count in counts if count]
 
 
+def _check_reachable(address: str) -> None:
+    """Refuse an address where nothing answers: Ray itself would try again for minutes."""
+    host, _, port = address.removeprefix("ray://").rpartition(":")
+    if not host or not port.isdecimal():
+        return
+    try:
+        socket.create_connection((host, int(port)), timeout=5).close()
+    except OSError as problem:
+        raise ReibenchError(
+            f"No Ray cluster answers at {address!r} ({problem}); it should be HOST:PORT of a head"
+            " node, as `ray start --head` says it, auto, or local."
+        ) from None
+
+
 class RayWorker:
     """Has an actor somewhere in the cluster play, and notices when it or its node dies."""
 
@@ -113,11 +128,11 @@ class RayWorker:
         except self._ray.exceptions.RayTaskError:
             raise  # our own mistake
         except self._ray.exceptions.RayError as problem:
-            where = f" on node {self._node}" if self._node else ""
-            said = str(problem).strip().splitlines()
-            raise WorkerLost(
-                f"the actor{where} is gone ({type(problem).__name__}: {said[-1] if said else ''})"
-            ) from None
+            if self._node:
+                what = f"the actor on node {self._node} is gone ({type(problem).__name__})"
+            else:
+                what = f"an actor cannot start: {' '.join(str(problem).split())}"
+            raise WorkerLost(what) from None
         if isinstance(answer, ReibenchError):
             raise type(answer)(f"On node {self._node}: {answer}")
         return answer

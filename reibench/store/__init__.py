@@ -206,9 +206,10 @@ class Store(DatabaseFile):
 
     # reading
 
-    def finished(self, spec: RunSpec) -> set[str]:
-        """Return the ids of the episodes this run has finished."""
-        return set(self.outcomes(spec))
+    def finished(self, spec: RunSpec, *, but_errors: bool = False) -> set[str]:
+        """Return the ids of the episodes this run has finished, `but_errors` those that broke."""
+        outcomes = self.outcomes(spec).items()
+        return {name for name, status in outcomes if not (but_errors and status == "error")}
 
     def outcomes(self, spec: RunSpec) -> dict[str, str]:
         """Return the status of each episode this run has finished, by the episode's id."""
