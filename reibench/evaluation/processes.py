@@ -1,6 +1,7 @@
 """Workers that are processes of this machine, each with its own model and world."""
 
 import contextlib
+import logging
 import os
 import signal
 from collections.abc import Iterator
@@ -89,6 +90,7 @@ def serve(
 ) -> None:
     """Play the jobs that come through `pipe`, until None comes or the other end is gone."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is the other end's business
+    logging.basicConfig(level=logging.ERROR, format="%(message)s")  # as the command line has it
     if processors and hasattr(os, "sched_setaffinity"):
         os.sched_setaffinity(0, processors)
     jobs: SimpleQueue[Job | None] = SimpleQueue()
