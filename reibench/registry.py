@@ -7,6 +7,7 @@ first asked, so a new part is one new file and importing the library loads none 
 from collections.abc import Callable
 from importlib import import_module
 from pkgutil import iter_modules
+from threading import RLock
 from typing import Generic, TypeVar
 
 from reibench.errors import unknown
@@ -23,6 +24,7 @@ class Registry(Generic[T]):
         self._package = package
         self._factories: dict[str, Callable[..., T]] = {}
         self._searched = False
+        self._searching = RLock()
 
     def register(self, name: str) -> Callable[[F], F]:
         """Register the decorated class or function under `name`."""
@@ -56,7 +58,9 @@ class Registry(Generic[T]):
         return sorted(self._factories)
 
     def _search(self) -> None:
-        if not self._searched:
+        with self._searching:  # no thread may look at half a search
+            if self._searched:
+                return
             self._searched = True
             for module in iter_modules(import_module(self._package).__path__):
                 import_module(f"{self._package}.{module.name}")

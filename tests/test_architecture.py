@@ -14,6 +14,8 @@ ONLY_IN = {
     "ai2thor": ("reibench/worlds/ai2thor/client.py",),
     "torch": ("reibench/backends/transformers.py",),
     "transformers": ("reibench/backends/transformers.py",),
+    "openai": ("reibench/backends/openai.py",),
+    "httpx2": ("reibench/backends/openai.py",),
     "xllamacpp": ("reibench/backends/llama_cpp.py",),
     "sqlite_utils": ("reibench/store/",),
     "ray": ("reibench/evaluation/on_ray.py",),
@@ -31,7 +33,9 @@ LEVELS = {
     "bench": 8, "commands": 8, "pages": 8, "__main__": 8,
 }  # fmt: skip
 MODULES = sorted((ROOT / "reibench").rglob("*.py"))
-HEAVY = ("torch", "ai2thor", "gradio", "fastapi", "xllamacpp", "transformers", "ray")
+HEAVY = (
+    "torch", "ai2thor", "gradio", "fastapi", "xllamacpp", "transformers", "openai", "ray",
+)  # fmt: skip
 CATCHING = {"run.py"}
 """Where everything may be caught: an episode that breaks is recorded as an error."""
 

@@ -74,7 +74,12 @@ class Selection:
 
 
 class Backend(Protocol):
-    """A language model."""
+    """A language model.
+
+    A class whose objects serve several threads at the same time, so that more workers make a run
+    faster, says so by `concurrent: ClassVar[bool] = True`; ask with `is_concurrent`. One that does
+    not say so may still be asked from any thread, one question after another.
+    """
 
     @property
     def name(self) -> str:
@@ -97,6 +102,11 @@ class Backend(Protocol):
     def close(self) -> None:
         """Free the model."""
         ...
+
+
+def is_concurrent(backend: Backend) -> bool:
+    """Whether `backend` answers several threads at the same time."""
+    return bool(getattr(backend, "concurrent", False))
 
 
 backends: Registry[Backend] = Registry("backend", __name__)

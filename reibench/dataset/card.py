@@ -8,11 +8,24 @@ from statistics import mean, median
 from reibench.dataset.files import digest
 from reibench.dialogue import CONTEXTS, LEVELS, REFERENCES, Utterance, Vagueness
 from reibench.episode import Episode, TaskType
+from reibench.errors import ReibenchError
+
+BEGIN, END = "<!-- computed -->", "<!-- end -->"
+"""What `build-dataset` writes stands between these two lines."""
 
 
 def fingerprint(episodes: Sequence[Episode]) -> str:
     """Return the sha256 of the episodes' digests, in order."""
     return hashlib.sha256("\n".join(map(digest, episodes)).encode()).hexdigest()
+
+
+def with_figures(card: str, episodes: Sequence[Episode]) -> str:
+    """Return a dataset card with its computed part made anew; raises ReibenchError without one."""
+    before, begin, rest = card.partition(BEGIN)
+    _, end, after = rest.partition(END)
+    if not (begin and end):
+        raise ReibenchError(f"The dataset card has no part between {BEGIN!r} and {END!r}.")
+    return f"{before}{begin}\n{figures(episodes)}\n{end}{after}"
 
 
 def figures(episodes: Sequence[Episode]) -> str:

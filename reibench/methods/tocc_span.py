@@ -115,9 +115,9 @@ def _choose_span(
     choice = backend.choose(Prompt(text, fixed=len(prefix)), [f" {one}" for one in options])
     if choice.text != NONE:
         return choice.text.strip(), choice.usage
-    none = next(other for other in choice.alternatives if other.text == NONE)
+    none = next((other for other in choice.alternatives if other.text == NONE), None)
     others = [other.text for other in choice.alternatives if other.text != NONE]
-    if none.probability >= SURE or not others:
+    if none is None or none.probability >= SURE or not others:
         return "", choice.usage
     return others[0].strip(), choice.usage
 

@@ -13,6 +13,8 @@ from reibench.errors import ModelUnavailable, UnknownName
         ("llama-cpp:gema-3-270m", "Did you mean 'gemma-3-270m'"),
         ("llama-cpp", "should read KIND:NAME"),
         ("scripted:", "should read KIND:NAME"),
+        ("openai", "for example 'openai:NAME'"),
+        ("opena:gpt-4o-mini", "Did you mean 'openai'"),
     ],
 )
 def test_a_wrong_name_is_answered_with_a_right_one(name, hint):

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from reibench.commands.building import alfred, modelled, realised
 from reibench.commands.output import tell
+from reibench.dataset.card import with_figures
 from reibench.dataset.files import SHIPPED, write_episodes
 from reibench.dataset.levels import derive
 from reibench.dataset.scripts import read_scripts, shipped_scripts
@@ -12,6 +13,7 @@ from reibench.errors import ReibenchError
 
 EPISODES = SHIPPED / "rei.jsonl.gz"
 """What the shipped scripts make."""
+CARD = SHIPPED / "README.md"
 
 
 def add(command: ArgumentParser) -> None:
@@ -48,6 +50,8 @@ def build_command(arguments: Namespace) -> int:
     out = arguments.out or EPISODES
     out.parent.mkdir(parents=True, exist_ok=True)
     write_episodes(out, episodes)
+    if out == EPISODES:
+        CARD.write_text(with_figures(CARD.read_text(encoding="utf-8"), episodes), encoding="utf-8")
     tell(f"{out}: {len(episodes)} episodes from {len(scripts)} scripts")
     return 0
 
