@@ -129,13 +129,12 @@ def _alone(spec: RunSpec, store: Store) -> Iterator[None]:
 
 
 def _run(shares: list[Share], store: Store, staff: Staff) -> None:
-    with closing(Conductor(shares, staff)) as conductor:
+    with ending_at_the_second(tell), closing(Conductor(shares, staff)) as conductor:
         progress = Progress(shares, staff.workers)
         for line in progress.opening():
             tell(line)
-        outcomes = conductor.perform(store, tell)
         try:
-            with ending_at_the_second(tell), closing(outcomes):
+            with closing(conductor.perform(store, tell)) as outcomes:
                 for spec, record, seconds in outcomes:
                     for line in progress.note(spec, record, seconds):
                         tell(line)

@@ -11,7 +11,7 @@ from reibench.household.objects import SINGLE
 from reibench.methods import Instruction
 from reibench.planners import Decision, Plan, planners
 from reibench.scene import SceneObject
-from reibench.skill import SKILLS, Skill, Verb
+from reibench.skill import PICKABLE, SKILLS, Skill, Verb
 from reibench.worlds import Event
 
 Moves: TypeAlias = Generator[Skill, Event, None]
