@@ -5,7 +5,7 @@ from contextlib import closing
 from dataclasses import dataclass, replace
 from time import perf_counter
 
-from reibench.backends import Backend
+from reibench.backends import Backend, is_concurrent
 from reibench.backends.opening import open_backend
 from reibench.evaluation import Job, Worker
 from reibench.evaluation.crew import Crew
@@ -106,7 +106,7 @@ def _crew(
 ) -> Crew:
     """Gather threads for a model that takes many calls at once, processes for any other."""
     spec, size = group[0].spec, staff.workers
-    if backend and getattr(backend, "concurrent", False):
+    if backend and is_concurrent(backend):
         shared = backend
         return Crew(lambda _: ThreadWorker(spec, shared, frames=staff.frames), size, announce)
     processors = [frozenset[int]()] * size
