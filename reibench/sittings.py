@@ -238,6 +238,7 @@ class Sittings:
             status=record.status if over else None,
             phase="over" if over else "acting",
             instruction=record.instruction,
+            closing=record.closing,
             error=record.error,
             world=entry.world,
             cameras=self._store.frames.cameras(record.id, len(record.steps)),

@@ -9,6 +9,7 @@ from reibench.backends import Backend
 from reibench.episode import Episode
 from reibench.errors import ReibenchError
 from reibench.methods import Instruction
+from reibench.planners import Closing
 from reibench.rollout import Rollout, Status, Step, drive
 from reibench.run import RunSpec, instruct, make_planner, make_world
 from reibench.skill import Skill
@@ -35,6 +36,8 @@ class Sitting:
     phase: str = "acting"
     """acting · loading model · restating · planning · over · stopped."""
     instruction: Instruction | None = None
+    closing: Closing | None = None
+    """What led the planner to say done."""
     error: str = ""
     world: str = "embedded"
     cameras: tuple[Camera, ...] = ()
@@ -93,7 +96,14 @@ class Watching:
             record = self._store.finish(record_id, rollout, spec.actor, error=error)
             world.close()
         phase = "stopped" if sitting.phase == "stopped" else "over"
-        yield replace(sitting, phase=phase, status=record.status, error=error, steps=record.steps)
+        yield replace(
+            sitting,
+            phase=phase,
+            status=record.status,
+            error=error,
+            steps=record.steps,
+            closing=record.closing,
+        )
 
     def _act(self, record_id: str, rollout: Rollout, spec: RunSpec, stops: int) -> Iterator[str]:
         """Load, restate and plan; yield what is going on after each change."""

@@ -4,59 +4,66 @@ from itertools import product
 
 import pytest
 
-from reibench.backends import backends
+from reibench.backends import Alternative, Generation, Selection, backends
 from reibench.errors import UnknownName
 from reibench.methods import methods
 from reibench.planners import planners
-from reibench.rollout import Rollout, drive
-from reibench.run import RunSpec, instruct, make_planner, make_world, needs_model
+from reibench.report import score_rows
+from reibench.run import RunSpec, evaluate, make_world, needs_model
 from reibench.skill import SKILLS
 from reibench.worlds import worlds
 from reibench.worlds.naming import create_world
 
-ANSWERS = [" find a potato", " pick up the potato", " done"]
 
+class Obliging:
+    """Says something sensible to a method, and plans three steps for whoever lets it choose."""
 
-@pytest.fixture
-def obliging():
-    """Make a backend that says something sensible to a method and then plans three steps."""
-    from reibench.backends import Alternative, Generation, Selection
+    name = "scripted:obliging"
 
-    class Obliging:
-        name = "scripted:obliging"
+    def __init__(self):
+        self.skills = iter([" find a potato", " pick up the potato"])
 
-        def __init__(self):
-            self.skills = iter(ANSWERS)
+    def generate(self, prompt, *, max_tokens=128, stop=(), grammar=""):
+        graph = "1: find a potato\n2: pick up the potato after 1\ndone"
+        words = 'potato" is the potato. Heat the potato.'
+        if prompt.begun.startswith("(:goal"):
+            return Generation(" (hot potato)))", prompt=prompt.text)
+        asked_for_graph = prompt.text.endswith("Graph:\n")
+        return Generation(graph if asked_for_graph else words, prompt=prompt.text)
 
-        def generate(self, prompt, *, max_tokens=128, stop=(), grammar=""):
-            if prompt.begun.startswith("(:goal"):
-                return Generation(" (hot potato)))")
-            return Generation("Heat the potato.")
+    def choose(self, prompt, options):
+        skill = next(self.skills, " done") if " done" in options else options[0]
+        return Selection(skill, alternatives=(Alternative(skill, 0.8),), prompt=prompt.text)
 
-        def choose(self, prompt, options):
-            if " done" not in options:
-                return Selection(options[0])
-            return Selection(next(self.skills), alternatives=(Alternative("done", 0.2),))
-
-        def close(self):
-            pass
-
-    return Obliging()
+    def close(self):
+        pass
 
 
 @pytest.mark.parametrize(("planner", "method"), list(product(planners.names(), methods.names())))
-def test_every_planner_works_with_every_method(planner, method, episode, obliging):
-    spec = RunSpec(planner=planner, method=method, model="scripted:x")
-    rollout = Rollout(episode, make_world(spec))
-    rollout.start()
-    backend = obliging if needs_model(planner) else None
-    told = instruct(spec, episode, backend)
-    assert told.text
-    assert told.original == episode.dialogue.instruction.text
-    steps = list(drive(rollout, make_planner(spec, episode, backend), told))
-    assert steps
-    assert {step.decision.skill for step in steps} <= set(SKILLS)
-    assert rollout.said_done or rollout.exhausted
+def test_every_planner_works_with_every_method_from_run_to_score(planner, method, episode, store):
+    model = "scripted:obliging" if needs_model(planner) else ""
+    spec = RunSpec(planner=planner, method=method, model=model, max_steps=12)
+    backend = Obliging() if model else None
+    [played] = evaluate(spec, [episode], backend, make_world(spec), store)
+    assert played.error == ""
+    assert played.said_done or len(played.steps) == spec.max_steps
+    assert {step.decision.skill for step in played.steps} <= set(SKILLS)
+    kept = store.record(played.id)
+    assert kept.instruction == played.instruction
+    assert kept.instruction.text
+    assert kept.instruction.original == episode.dialogue.instruction.text
+    assert [step.decision for step in kept.steps] == [step.decision for step in played.steps]
+    [row] = score_rows(store, None, "level")
+    assert (row["episodes"], row["breakdown"]) == (1, 0)
+
+
+@pytest.mark.parametrize("name", methods.names())
+def test_every_method_says_what_it_is(name):
+    method = methods.create(name)
+    assert method.title
+    assert method.summary
+    assert "\n" not in method.summary
+    assert len(method.summary) < 100
 
 
 WORLDS = [

@@ -51,7 +51,7 @@ class ScriptedBackend:
 
 @backends.register("scripted")
 def open_script(source: str) -> Backend:
-    """Open the script in the file `source`, one answer a line."""
+    r"""Open the script in the file `source`: one answer a line, `\n` for a new line within it."""
     try:
         lines = Path(source).read_text(encoding="utf-8").splitlines()
     except (OSError, UnicodeDecodeError) as error:
@@ -59,4 +59,5 @@ def open_script(source: str) -> Backend:
             f"The script {source} cannot be read ({error}); it should be a text file with one"
             " answer a line."
         ) from error
-    return ScriptedBackend([line for line in lines if line.strip()], name=f"scripted:{source}")
+    answers = [line.replace("\\n", "\n") for line in lines if line.strip()]
+    return ScriptedBackend(answers, name=f"scripted:{source}")

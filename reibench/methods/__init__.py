@@ -1,7 +1,7 @@
 """Prompting methods: from what the human says to what the planner is told."""
 
 from dataclasses import dataclass
-from typing import Protocol
+from typing import ClassVar, Protocol
 
 from reibench.artefact import Artefact
 from reibench.backends import Backend, Usage
@@ -39,6 +39,11 @@ class Instruction:
 
 class Method(Protocol):
     """One way to deal with vague dialogue before planning."""
+
+    title: ClassVar[str]
+    """What it is called in menus and on pages."""
+    summary: ClassVar[str]
+    """What it does, in a line."""
 
     def instruct(self, dialogue: Dialogue, backend: Backend) -> Instruction:
         """Turn `dialogue` into an instruction, asking `backend` if need be."""

@@ -54,6 +54,9 @@ class Candidate:
     """Character offset."""
     spans: tuple[str, ...]
     """The expressions that may begin there, the shortest first."""
+    head: str = ""
+    """The noun phrase without what is said about it after a preposition or in a clause; a clause
+    that begins with `what` whole."""
 
     @property
     def pronoun(self) -> bool:
@@ -75,7 +78,8 @@ def candidates(instruction: str) -> list[Candidate]:
             if match[0].lower() in SUBORDINATE:
                 break
             if spans := tuple(_starting(words, start)):
-                found.append(Candidate(clause.start() + match.start(), spans))
+                head = _head(words, start, spans)
+                found.append(Candidate(clause.start() + match.start(), spans, head))
     return found
 
 
@@ -90,6 +94,15 @@ def _starting(words: Sequence[str], start: int) -> Iterable[str]:
         head = _head_end(words, start)
         if not _names().search(" ".join(words[start + 1 : head])):
             yield from _stretches(words, start, start + 2, _phrase_end(words, head))
+
+
+def _head(words: Sequence[str], start: int, spans: Sequence[str]) -> str:
+    word = words[start].lower()
+    if word in ("what", "whatever"):
+        return spans[-1]
+    if spans[0].lower() == word:
+        return spans[0]
+    return " ".join(words[start : _head_end(words, start)])
 
 
 def _stretches(words: Sequence[str], start: int, shortest: int, longest: int) -> Iterable[str]:

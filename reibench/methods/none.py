@@ -1,21 +1,17 @@
-"""No method: the planner is shown what the human said, as it was said.
-
-As in the published code, the robot's own turns are left out.
-"""
+"""No method: the planner is shown what the human said, as it was said."""
 
 from reibench.backends import Backend
 from reibench.dialogue import Dialogue
 from reibench.methods import Instruction, methods
-
-
-def human_turns(dialogue: Dialogue) -> tuple[str, ...]:
-    """Return what the human said before the pending instruction."""
-    return tuple(turn.text for turn in dialogue.context if turn.speaker == "human")
+from reibench.methods.wording import human_turns
 
 
 @methods.register("none")
 class NoMethod:
     """Pass dialogue and instruction on unchanged; asks the model nothing."""
+
+    title = "No method"
+    summary = "the planner reads what was said, as it was said"
 
     def instruct(self, dialogue: Dialogue, backend: Backend) -> Instruction:
         """Return the instruction with the human's earlier turns as its context."""

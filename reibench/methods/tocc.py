@@ -9,20 +9,19 @@ import re
 from reibench.backends import Backend, Prompt
 from reibench.dialogue import Dialogue
 from reibench.methods import Instruction, methods
-from reibench.methods.none import human_turns
+from reibench.methods.wording import conversation
 
 PROMPT = """\
 Human pending instruction may contain vague referring expressions, such as "electronic devices", \
 "beverages", "fruits", and "containers", which are not specific items.
 Use the previous context below to resolve the referring expressions:
 
-{context}Human pending instruction: {instruction}
+{conversation}
 
 Do not add extra commentary or conversation to the whole plan; only output the \
 clear instructions."""
-"""The wording of appendix C; the context lines are the published code's."""
+"""The wording of appendix C; the lines of the dialogue are the published code's."""
 
-PREVIOUS = "Human previous inquiry (not required to execute): {said}\n"
 LONGEST = 60
 """Tokens of the answer."""
 LABEL = re.compile(
@@ -35,11 +34,13 @@ LABEL = re.compile(
 class TaskOrientedContextCognition:
     """Let the model restate the instruction in its own words; the planner sees no dialogue."""
 
+    title = "TOCC"
+    summary = "the paper's: the model restates the instruction freely, the planner reads only that"
+
     def instruct(self, dialogue: Dialogue, backend: Backend) -> Instruction:
         """Return the rewriting, or the instruction itself where the model says nothing."""
         original = dialogue.instruction.text
-        context = "".join(PREVIOUS.format(said=said) for said in human_turns(dialogue))
-        prompt = PROMPT.format(context=context, instruction=original)
+        prompt = PROMPT.format(conversation=conversation(dialogue))
         answer = backend.generate(Prompt(prompt, chat=True), max_tokens=LONGEST)
         text = restated(answer.text) or original
         sent = answer.prompt or prompt

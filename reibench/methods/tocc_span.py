@@ -10,12 +10,13 @@ whatever the room.
 
 import re
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
-from reibench.backends import Backend, Prompt, Usage
+from reibench.artefact import Artefact
+from reibench.backends import Backend, Prompt, Selection, Usage
 from reibench.dialogue import Dialogue
 from reibench.methods import Instruction, methods
 from reibench.methods.expressions import (
@@ -25,7 +26,7 @@ from reibench.methods.expressions import (
     names_a_thing,
     request,
 )
-from reibench.methods.none import human_turns
+from reibench.methods.wording import human_turns
 from reibench.skill import PICKABLE, in_words
 
 EXAMPLES = Path(__file__).parents[2] / "assets" / "examples" / "vague.toml"
@@ -66,60 +67,88 @@ class Span:
 class SpanSubstitution:
     """Let the model name vague expressions and their objects; substitute them."""
 
+    title = "TOCC-span"
+    summary = "ours: the model says what each vague expression stands for, code puts that in place"
+
     def instruct(self, dialogue: Dialogue, backend: Backend) -> Instruction:
-        """Return the instruction with the objects' names in it, its chatter left out."""
+        """Return the instruction with the objects' names in it, its chatter left out.
+
+        The last question is the instruction's prompt; those before it are artefacts.
+        """
         original = dialogue.instruction.text
         asked = request(original)
-        spans, found = find_vague(asked, backend)
+        spans, finding = find_vague(asked, backend)
         if not spans:
-            return Instruction(asked, original, usage=found)
-        question = ask_what_is_meant(dialogue)
-        objects, named = name_each(spans, question, backend)
-        answer = " ".join(map(_meaning, spans, objects))
-        text = substitute(asked, spans, objects)
-        return Instruction(text, original, prompt=question, answer=answer, usage=found + named)
+            return Instruction(
+                asked, original, usage=_cost(finding), artefacts=tuple(_kept(finding))
+            )
+        naming = name_each(spans, ask_what_is_meant(dialogue), backend)
+        objects = [choice.text.strip() for choice in naming]
+        further = (*_kept(finding), *_kept(naming[:-1]))
+        return Instruction(
+            substitute(asked, spans, objects),
+            original,
+            prompt=naming[-1].prompt,
+            answer=" ".join(map(_meaning, spans, objects)),
+            usage=_cost(finding) + _cost(naming),
+            artefacts=further,
+        )
 
 
-def find_vague(instruction: str, backend: Backend) -> tuple[list[Span], Usage]:
+def _cost(choices: Sequence[Selection]) -> Usage:
+    return sum((choice.usage for choice in choices), Usage())
+
+
+def _kept(choices: Sequence[Selection]) -> Iterator[Artefact]:
+    for choice in choices:
+        yield Artefact("prompt", "asked of the model", choice.prompt)
+        yield Artefact("answer", "chosen", choice.text)
+
+
+def find_vague(instruction: str, backend: Backend) -> tuple[list[Span], list[Selection]]:
     """Let the model say which candidates are expressions for a thing, and how far they reach.
 
+    Its choices are returned beside them.
     A pronoun is only asked about while nothing else is found, and `none` is no answer to all
     questions unless something that can be picked up is named.
     """
     proposed = candidates(instruction)
     spans: list[Span] = []
-    usage = Usage()
+    choices: list[Selection] = []
     for candidate in proposed:
         inside = bool(spans) and candidate.start < spans[-1].end
         if inside or (candidate.pronoun and spans):
             continue
-        chosen, cost = _choose_span(instruction, spans, (*candidate.spans, NONE.strip()), backend)
-        usage += cost
-        if chosen:
+        options = (*candidate.spans, NONE.strip())
+        choices.append(_choose_span(instruction, spans, options, backend))
+        if chosen := _chosen(choices[-1]):
             spans.append(Span(candidate.start, chosen))
     if proposed and not spans and not names_a_thing(instruction):
         every = [span for candidate in proposed for span in candidate.spans]
-        chosen, cost = _choose_span(instruction, spans, every, backend)
-        usage += cost
+        choices.append(_choose_span(instruction, spans, every, backend))
+        chosen = _chosen(choices[-1])
         spans.append(Span(instruction.index(chosen), chosen))
-    return spans + _pronouns_after(spans, proposed), usage
+    return spans + _pronouns_after(spans, proposed), choices
 
 
 def _choose_span(
     instruction: str, before: Sequence[Span], options: Sequence[str], backend: Backend
-) -> tuple[str, Usage]:
-    """Return one of `options`, or nothing if the model is sure that it is none of them."""
+) -> Selection:
     prefix = _solved()
     listed = "".join(f"Expression: {span.text}\n" for span in before)
     text = f"{prefix}Instruction: {instruction}\n{listed}Expression:"
-    choice = backend.choose(Prompt(text, fixed=len(prefix)), [f" {one}" for one in options])
+    return backend.choose(Prompt(text, fixed=len(prefix)), [f" {one}" for one in options])
+
+
+def _chosen(choice: Selection) -> str:
+    """Return what was chosen, or nothing if the model is sure that it is none of the options."""
     if choice.text != NONE:
-        return choice.text.strip(), choice.usage
+        return choice.text.strip()
     none = next((other for other in choice.alternatives if other.text == NONE), None)
     others = [other.text for other in choice.alternatives if other.text != NONE]
     if none is None or none.probability >= SURE or not others:
-        return "", choice.usage
-    return others[0].strip(), choice.usage
+        return ""
+    return others[0].strip()
 
 
 def _pronouns_after(spans: Sequence[Span], proposed: Sequence[Candidate]) -> list[Span]:
@@ -150,23 +179,22 @@ def ask_what_is_meant(dialogue: Dialogue) -> str:
     return f"{NAMING}{said}\nWhich household objects are meant in the last line?"
 
 
-def name_each(spans: Sequence[Span], question: str, backend: Backend) -> tuple[list[str], Usage]:
+def name_each(spans: Sequence[Span], question: str, backend: Backend) -> list[Selection]:
     """Let the model say what each of `spans` stands for, in words.
 
     Two descriptions stand for two things; a pronoun after them stands for one of those.
     """
     objects: list[str] = []
-    usage = Usage()
+    choices: list[Selection] = []
     every = [in_words(name) for name in PICKABLE]
     for span in spans:
         repeats = bool(objects) and span.text.lower() in PRONOUNS
         options = objects if repeats else [name for name in every if name not in objects]
         begun = " ".join((*map(_meaning, spans, objects), _meaning(span, "")))
         prompt = Prompt(question, len(NAMING), chat=True, begun=begun)
-        choice = backend.choose(prompt, [f" {name}" for name in options])
-        usage += choice.usage
-        objects.append(choice.text.strip())
-    return objects, usage
+        choices.append(backend.choose(prompt, [f" {name}" for name in options]))
+        objects.append(choices[-1].text.strip())
+    return choices
 
 
 def _meaning(span: Span, name: str) -> str:

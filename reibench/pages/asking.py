@@ -5,9 +5,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from reibench.view.topbar import ACTORS, METHOD_NAMES, Actor
+from reibench.methods import methods
+from reibench.view.topbar import ACTORS, Actor, offered_planners
 
 _TOKEN_LENGTH = 22
+DEFAULT_PLANNER = "saycan"
 DEFAULT_METHOD = "tocc-span"
 """The paper's free rewrite wants a larger model than those that come along (see the README)."""
 
@@ -27,6 +29,7 @@ class Ask:
     """From the moment the page was shown to the choice, by the browser's clock."""
     skill: str = ""
     model: str = ""
+    planner: str = DEFAULT_PLANNER
     method: str = DEFAULT_METHOD
     solution: bool = False
     """Whether the expert's steps are shown."""
@@ -58,7 +61,10 @@ class Ask:
             seconds=float(seconds) if isinstance(seconds, int | float) and seconds >= 0 else None,
             skill=_word(data.get("skill")),
             model=_word(data.get("model")),
-            method=next((m for m in METHOD_NAMES if m == data.get("method")), DEFAULT_METHOD),
+            planner=next(
+                (p for p in offered_planners() if p == data.get("planner")), DEFAULT_PLANNER
+            ),
+            method=next((m for m in methods.names() if m == data.get("method")), DEFAULT_METHOD),
             solution=data.get("solution") is True,
             as_actor=actor_called(data.get("as")),
             kind=_word(data.get("kind")),

@@ -102,7 +102,8 @@ class Demo:
             current = self._sittings.current(token)
             episode = current.episode.id if current else self._showing.catalogue.first.id
         ask = Ask.read(
-            {"episode": episode} | {k: wanted.get(k) for k in ("actor", "model", "method")}
+            {"episode": episode}
+            | {k: wanted.get(k) for k in ("actor", "model", "planner", "method")}
         )
         screen = replace(self._showing.whole(token, ask), seek=self._showing.finder().seek)
         return (token, *answer(ask, screen))
@@ -157,14 +158,14 @@ class Demo:
         """Let a planner act, or two of them in turn, and show each step."""
         ask = Ask.read(event._data)
         watch = partial(self._sittings.watch, visitor, ask.episode)
-        model = self._showing.model_of(ask)
+        model, planner = self._showing.model_of(ask), ask.planner
         try:
             if ask.actor == "side":
-                both = [watch(method, model) for method in ("none", ask.method)]
+                both = [watch(method, model, planner) for method in ("none", ask.method)]
                 screens = self._showing.watching_both(ask, both)
             else:
                 method = ask.method if ask.actor == "tocc" else "none"
-                screens = self._showing.watching(ask, watch(method, model))
+                screens = self._showing.watching(ask, watch(method, model, planner))
             for screen in screens:
                 yield answer(ask, screen)
         except ReibenchError as problem:

@@ -1,6 +1,6 @@
 """What stands in the head of every page: theme, styles and scripts, all served from here."""
 
-STYLES = ("tokens", "page", "plan", "side_by_side", "phone")
+STYLES = ("tokens", "page", "plan", "side_by_side", "made", "phone")
 THEME = """<script>
 (() => {
   let kept = "";

@@ -1,6 +1,7 @@
 """Which screen answers what was asked."""
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
 
 from reibench import models
 from reibench.errors import ReibenchError, StaleStep
@@ -55,8 +56,8 @@ class Showing:
             return person_screen(setting, own, notice=notice)
         model = self.model_of(ask)
         watched = self._sittings.watched(visitor, ask.episode)
-        plain = watched.get(f"saycan+none/{model}")
-        told = watched.get(f"saycan+{ask.method}/{model}")
+        plain = watched.get(f"{ask.planner}+none/{model}")
+        told = watched.get(f"{ask.planner}+{ask.method}/{model}")
         if ask.actor == "side":
             return side_screen(setting, own.start, (plain, told), notice=notice)
         run = told if ask.actor == "tocc" else plain
@@ -77,9 +78,12 @@ class Showing:
 
     def watching(self, ask: Ask, watch: Iterator[Sitting]) -> Iterator[Screen]:
         """Yield what each thing a planner does changes."""
-        setting, sitting = self.setting(ask), None
+        setting, sitting, talk = self.setting(ask), None, None
         for sitting in watch:
-            yield model_step(setting, ask.actor, sitting, sitting, ready=True)
+            screen = model_step(setting, ask.actor, sitting, sitting, ready=True)
+            # what somebody has unfolded in an unchanged dialogue stays unfolded
+            yield screen if screen.talk != talk else replace(screen, talk=None)
+            talk = screen.talk
         if sitting is not None:  # the model is loaded by now, which the bar should say
             yield Screen(bar=self.setting(ask, sitting).bar(sitting.start, ask.actor))
 
@@ -107,6 +111,7 @@ class Showing:
         sheet = shelf(
             models.overview(),
             chosen=name.split(":", 1)[-1],
+            planner=ask.planner,
             method=ask.method,
             ready=self._sittings.model_ready(name),
             fetching=self.fetcher.states,
@@ -123,7 +128,7 @@ class Showing:
         """Return what is the same on every screen of a choice; `sitting` tells a planner's pace."""
         episode = self._sittings.episode(ask.episode)
         status = self._status(self.model_of(ask), sitting)
-        return Setting(self.catalogue, episode, status, ask.method, self._links)
+        return Setting(self.catalogue, episode, status, ask.planner, ask.method, self._links)
 
     def _status(self, model: str, sitting: Sitting | None) -> ModelStatus:
         if not model:

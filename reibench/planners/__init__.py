@@ -40,7 +40,11 @@ Plan: TypeAlias = Generator[Decision, Event, Closing | None]
 
 
 class Planner(Protocol):
-    """A way to choose skills."""
+    """A way to choose skills.
+
+    One that asks a model also has a `title`, what pages call it, and a `summary`, what it does in
+    a few words.
+    """
 
     def plan(self, instruction: Instruction, start: Event, skills: tuple[Skill, ...]) -> Plan:
         """Start a plan for `instruction` over `skills`.

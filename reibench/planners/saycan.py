@@ -26,6 +26,9 @@ action failed, it does what was missing and tries again. It says "done" at the e
 class SayCan:
     """Choose one skill at a time, telling the model which ones failed and why."""
 
+    title = "SayCan"
+    summary = "one choice among the skills after another"
+
     def __init__(
         self, backend: Backend, *, examples: Literal["nearest", "fixed"] = "nearest"
     ) -> None:

@@ -1,10 +1,9 @@
 """How planners that read text are told what to do: the same words for every one of them."""
 
 from reibench.methods import Instruction
+from reibench.methods.wording import PENDING, PREVIOUS
 
-PREVIOUS = "Human previous inquiry (not required to execute): "
-PENDING = "Human pending instruction: "
-"""Both are the published code's."""
+__all__ = ["PENDING", "PREVIOUS", "told"]
 
 
 def told(instruction: Instruction) -> str:

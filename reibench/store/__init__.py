@@ -12,6 +12,7 @@ from sqlite_utils import Database
 from reibench.dataset.files import digest, episode_from_json, episode_to_json
 from reibench.episode import Episode
 from reibench.errors import UnknownName
+from reibench.faults import fault_kind
 from reibench.planners import Decision
 from reibench.rollout import Record, Rollout, Step
 from reibench.run import RunSpec
@@ -161,14 +162,15 @@ class Store(DatabaseFile):
     def finish(self, record_id: str, rollout: Rollout, actor: str, *, error: str = "") -> Record:
         """Close the record and return it."""
         record = rollout.record(record_id, actor, error=error)
-        kind = error_kind(record)
+        kind, fault = error_kind(record), fault_kind(record)
         with self.writing() as database:
             database.execute(
-                "update records set status = ?, error_kind = ?, said_done = ?, error = ?,"
-                " instruction = ?, closing = ?, finished = ? where id = ?",
+                "update records set status = ?, error_kind = ?, fault = ?, said_done = ?,"
+                " error = ?, instruction = ?, closing = ?, finished = ? where id = ?",
                 [
                     record.status,
                     kind and str(kind),
+                    fault and str(fault),
                     record.said_done,
                     error,
                     thoughts.instruction_to_json(record.instruction),

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 from reibench.rollout import Record
 from reibench.skill import Skill
+from reibench.view.artefacts import made_panel
 from reibench.view.likely import last_found, likely
 from reibench.view.markup import element, text
 from reibench.view.outcome import goal_conditions, person_verdict, verdict, verdict_box
@@ -28,6 +29,7 @@ def record_of(sitting: Sitting) -> Record:
         start=sitting.start,
         steps=sitting.steps,
         instruction=sitting.instruction,
+        closing=sitting.closing,
         error=sitting.error,
     )
 
@@ -110,6 +112,7 @@ def model_panel(
     active = WAITING.get(sitting.phase, "") if running else ""
     parts.append(budget(len(sitting.steps), sitting.max_steps))
     parts.append(step_list(sitting.steps, active=active, empty="It did nothing."))
+    parts.append(made_panel(sitting.steps, sitting.closing))
     parts.append(goal_conditions(sitting.start, sitting.steps))
     if not running:
         parts.append(verdict_box(verdict(record_of(sitting), budget=sitting.max_steps)))

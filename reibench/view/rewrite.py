@@ -4,6 +4,7 @@ import re
 from difflib import SequenceMatcher
 
 from reibench.methods import Instruction
+from reibench.view.artefacts import artefacts_html, folded
 from reibench.view.markup import element, text
 
 _WORD = re.compile(r"\w+(?:['’]\w+)*|[^\w\s]")
@@ -28,14 +29,44 @@ def word_diff(before: str, after: str) -> str:
     return _tight(" ".join(parts))
 
 
-def rewritten_box(instruction: Instruction, method: str) -> str:
-    """Return a box that shows how `method` restated the instruction."""
-    title = element("h3", f"Rewritten by {text(method)} before planning")
+def told_heading(instruction: Instruction | None, method: str) -> str:
+    """Return, as markup, what stands above what `method` made of an instruction."""
+    done = "Rewritten" if instruction is None or instruction.rewritten else "Prepared"
+    return f"{done} by {text(method)} before planning"
+
+
+def told_box(instruction: Instruction, method: str, *, turns: int = 0) -> str:
+    """Return a box that shows what `method` made of the instruction.
+
+    Args:
+        instruction: what the planner is told.
+        method: what the page calls the method.
+        turns: how often the human spoke before; the planner may be shown none of it.
+    """
+    title = element("h3", told_heading(instruction, method))
+    return element("div", title, told_body(instruction, turns=turns), class_="told")
+
+
+def told_body(instruction: Instruction, *, turns: int = 0) -> str:
+    """Return what the planner is told beside what was said, and how that came about."""
+    parts: list[str] = []
     if instruction.rewritten:
-        body = element("p", word_diff(instruction.original, instruction.text))
-    else:
-        body = element("p", "It left the instruction as it was said.", class_="muted")
-    return element("div", title, body, class_="told")
+        parts.append(element("p", word_diff(instruction.original, instruction.text)))
+    parts.append(artefacts_html(each for each in instruction.artefacts if each.kind == "note"))
+    if instruction.notes:
+        parts.append(element("blockquote", text(instruction.notes.strip())))
+    if instruction.demonstrations:
+        parts.append(folded("Solved examples shown first", instruction.demonstrations))
+    if not (instruction.rewritten or instruction.notes or instruction.demonstrations):
+        parts.append(element("p", "It left the instruction as it was said.", class_="muted"))
+    if turns and not instruction.context:
+        words = "The planner is not shown the dialogue."
+        parts.append(element("p", words, class_="muted small"))
+    parts.append(artefacts_html(each for each in instruction.artefacts if each.kind != "note"))
+    if instruction.prompt:
+        parts.append(folded("Asked of the model", instruction.prompt))
+        parts.append(folded("Its answer", instruction.answer))
+    return "".join(parts)
 
 
 _Run = tuple[bool, list[str], list[str]]

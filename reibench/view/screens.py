@@ -14,10 +14,10 @@ from reibench.view.dialogue import conversation
 from reibench.view.icons import sprite
 from reibench.view.markup import element
 from reibench.view.picker import picker
-from reibench.view.rewrite import rewritten_box
+from reibench.view.rewrite import told_box
 from reibench.view.room_panel import room_loading, room_panel
 from reibench.view.side_by_side import side_by_side
-from reibench.view.topbar import METHOD_NAMES, Actor, ModelStatus, topbar
+from reibench.view.topbar import Actor, ModelStatus, method_title, planner_title, topbar
 from reibench.watching import Sitting
 from reibench.worlds import Event
 
@@ -43,13 +43,17 @@ class Setting:
     catalogue: Catalogue
     episode: Episode
     model: ModelStatus
+    planner: str
     method: str
     links: Sequence[tuple[str, str]]
 
     def bar(self, start: Event, actor: Actor) -> str:
         """Return the top of the page."""
         scene = start.scene
-        return topbar(self.catalogue, self.episode, scene, actor, self.model, self.links)
+        method = method_title(self.method)
+        return topbar(
+            self.catalogue, self.episode, scene, actor, self.model, self.links, method=method
+        )
 
 
 def frame() -> str:
@@ -82,12 +86,13 @@ def talk_panel(episode: Episode, told: Instruction | None = None, method: str = 
         aria_pressed="true",
     )
     header = element("header", element("h2", "Dialogue"), element("span", class_="grow"), marks)
-    rewritten = rewritten_box(told, method) if told is not None and method else ""
+    turns = len(episode.dialogue.context)
+    made = told_box(told, method, turns=turns) if told is not None and method else ""
     return element(
         "section",
         header,
         conversation(episode.dialogue),
-        rewritten,
+        made,
         class_="talking",
         aria_label="Dialogue",
     )
@@ -127,9 +132,10 @@ def person_step(sitting: Sitting, *, notice: str = "", solution: Sequence[Skill]
     )
 
 
-def planner_name(actor: Actor, method: str) -> str:
+def planner_name(actor: Actor, planner: str, method: str) -> str:
     """Return what the page calls the planner that acts."""
-    return f"SayCan + {METHOD_NAMES[method]}" if actor == "tocc" else "SayCan"
+    title = planner_title(planner)
+    return f"{title} + {method_title(method)}" if actor == "tocc" else title
 
 
 def model_screen(
@@ -158,10 +164,10 @@ def model_step(
     notice: str = "",
 ) -> Screen:
     """Return what a planner's step changes."""
-    method = METHOD_NAMES[setting.method] if actor == "tocc" else ""
+    method = method_title(setting.method) if actor == "tocc" else ""
     scenes = scenes_of(run) if run else [own.start.scene]
     cameras = camera_strip(run) if run else camera_strip(own, step=0)
-    title = planner_name(actor, setting.method)
+    title = planner_name(actor, setting.planner, setting.method)
     panel = model_panel(title, setting.model.name, run, ready=ready, notice=notice)
     told = run.instruction if run else None
     return Screen(
@@ -193,5 +199,7 @@ def side_stage(
     notice: str = "",
 ) -> str:
     """Return the comparison alone."""
-    method = METHOD_NAMES[setting.method]
-    return side_by_side(setting.episode, *runs, method=method, row=row, notice=notice)
+    method, planner = method_title(setting.method), planner_title(setting.planner)
+    return side_by_side(
+        setting.episode, *runs, planner=planner, method=method, row=row, notice=notice
+    )

@@ -1,16 +1,12 @@
-"""Models and settings: what is on the shelf, what it takes to get it, and how TOCC is done."""
+"""Models and settings: what is on the shelf, how to get it, and which prompting method is used."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from reibench.methods import methods
 from reibench.models import Shelved, in_megabytes
 from reibench.view.markup import classes, element, number, text
-from reibench.view.topbar import METHOD_NAMES
-
-METHOD_NOTES = {
-    "tocc": "the paper's: the model rewrites the instruction freely",
-    "tocc-span": "ours: the model only says what each vague expression stands for",
-}
+from reibench.view.topbar import offered_planners, planner_summary, planner_title
 
 
 @dataclass(frozen=True)
@@ -27,6 +23,7 @@ def shelf(
     models: Sequence[Shelved],
     *,
     chosen: str,
+    planner: str,
     method: str,
     ready: bool = False,
     fetching: Mapping[str, Fetching] | None = None,
@@ -36,7 +33,8 @@ def shelf(
     Args:
         models: what is on the shelf.
         chosen: name of the model in use.
-        method: which variant of TOCC is used.
+        planner: which planner acts.
+        method: which prompting method is used.
         ready: whether the chosen model is loaded.
         fetching: models on their way, by name.
     """
@@ -54,8 +52,10 @@ def shelf(
         heading,
         element("h3", "Language model", class_="label"),
         *rows,
-        element("h3", "How TOCC rewrites", class_="label"),
-        *_variants(method),
+        element("h3", "Planner", class_="label"),
+        *_planners(planner),
+        element("h3", "Prompting method", class_="label"),
+        *_methods(method),
         element("h3", "Keys", class_="label"),
         _keys(),
         class_="sheet",
@@ -65,21 +65,26 @@ def shelf(
     )
 
 
-def _variants(method: str) -> list[str]:
-    """Return the ways TOCC can be done, as one choice."""
+def _planners(chosen: str) -> list[str]:
+    """Return the planners that ask a model with what they do, as one choice."""
     return [
-        element(
-            "label",
-            _radio("method", name, checked=name == method),
-            element(
-                "span",
-                element("b", text(METHOD_NAMES[name])),
-                element("small", text(METHOD_NOTES[name])),
-            ),
-            class_="option",
-        )
-        for name in METHOD_NAMES
+        _choice("planner", name, planner_title(name), planner_summary(name), chosen)
+        for name in offered_planners()
     ]
+
+
+def _methods(chosen: str) -> list[str]:
+    """Return all prompting methods with what they do, as one choice."""
+    known = {name: methods.create(name) for name in methods.names()}
+    return [
+        _choice("method", name, method.title, method.summary, chosen)
+        for name, method in known.items()
+    ]
+
+
+def _choice(what: str, name: str, title: str, summary: str, chosen: str) -> str:
+    words = element("span", element("b", text(title)), element("small", text(summary)))
+    return element("label", _radio(what, name, checked=name == chosen), words, class_="option")
 
 
 def _keys() -> str:

@@ -14,7 +14,7 @@ from reibench.view.outcome import goal_conditions, verdict, verdict_box
 from reibench.view.plan import floor_plan
 from reibench.view.plan_geometry import ASIDE
 from reibench.view.plan_layout import arrange
-from reibench.view.rewrite import word_diff
+from reibench.view.rewrite import told_body, told_heading
 from reibench.view.topbar import episode_chips
 from reibench.view.words import sentence
 from reibench.watching import Sitting
@@ -27,6 +27,7 @@ def side_by_side(
     left: Sitting | None,
     right: Sitting | None,
     *,
+    planner: str = "SayCan",
     method: str = "TOCC",
     row: int | None = None,
     notice: str = "",
@@ -37,6 +38,7 @@ def side_by_side(
         episode: what both were asked.
         left: the run without; None before it began.
         right: the run with.
+        planner: what the page calls the planner.
         method: what the page calls the method.
         row: index of the aligned row whose rooms are shown; the last if None.
         notice: something that went wrong.
@@ -50,7 +52,9 @@ def side_by_side(
     if notice:
         parts.append(element("p", text(notice), class_="notice bad", role="alert"))
     parts.append(_instructions(episode, right, method))
-    parts.append(_stage(left, right, rows, split if over else None, at, method))
+    parts.append(
+        _stage(left, right, rows, split if over else None, at, (planner, f"{planner} + {method}"))
+    )
     parts.append(_verdicts(left, right))
     return element(
         "section",
@@ -135,12 +139,10 @@ def _instructions(episode: Episode, right: Sitting | None, method: str) -> str:
     )
     told = right.instruction if right else None
     if told is None:
-        body = element("p", "Not rewritten yet.", class_="muted")
-    elif told.rewritten:
-        body = element("p", word_diff(told.original, told.text))
+        body = element("p", "Not done yet.", class_="muted")
     else:
-        body = element("p", "It left the instruction as it was said.", class_="muted")
-    heading = element("h2", f"Rewritten by {text(method)} before planning", class_="label")
+        body = told_body(told, turns=turns)
+    heading = element("h2", told_heading(told, method), class_="label")
     return element("div", said, element("div", heading, body, class_="card"), class_="instr")
 
 
@@ -156,16 +158,16 @@ def _stage(
     rows: Sequence[Row],
     split: int | None,
     at: int,
-    method: str,
+    titles: tuple[str, str],
 ) -> str:
     signs = [_sign(row, index == split) for index, row in enumerate(rows)]
     middle = element("div", *signs, class_="mid", aria_hidden="true")
     return element(
         "div",
         _picture(left, _reached(rows, at, "left")),
-        _lane("SayCan", "plain", left, rows, split, at, "left"),
+        _lane(titles[0], "plain", left, rows, split, at, "left"),
         middle,
-        _lane(f"SayCan + {method}", "tocc", right, rows, split, at, "right"),
+        _lane(titles[1], "tocc", right, rows, split, at, "right"),
         _picture(right, _reached(rows, at, "right")),
         class_="stage",
     )

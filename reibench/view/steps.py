@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from reibench.planners import Decision
 from reibench.rollout import Step
+from reibench.view.artefacts import thoughts
 from reibench.view.icons import mark
 from reibench.view.markup import classes, element, number, text
 from reibench.view.words import sentence
@@ -37,7 +38,11 @@ def step_list(steps: Sequence[Step], *, active: str = "", empty: str = "") -> st
         active: what is going on now, e.g. `planning`; shown with a pulse.
         empty: what to say while nothing has been done.
     """
-    rows = [_row(step, now=step is steps[-1] and not active) for step in steps]
+    prompts = ["", *(step.decision.prompt for step in steps)]
+    rows = [
+        _row(step, now=step is steps[-1] and not active, before=before)
+        for step, before in zip(steps, prompts, strict=False)
+    ]
     if active:
         pulse = element("span", class_="pulse", aria_hidden="true")
         waiting = element("span", text(active), element("span", class_="clock num"))
@@ -47,7 +52,7 @@ def step_list(steps: Sequence[Step], *, active: str = "", empty: str = "") -> st
     return element("div", element("ol", *rows, class_="steps"), class_="stepscroll", tabindex="0")
 
 
-def _row(step: Step, *, now: bool) -> str:
+def _row(step: Step, *, now: bool, before: str) -> str:
     done = step.event.success
     sign = element("span", mark("cooked" if done else "no"), class_=classes("mk", no=not done))
     said = element("small", text(sentence(step.event.message))) if step.event.message else ""
@@ -64,6 +69,7 @@ def _row(step: Step, *, now: bool) -> str:
         element("span", str(step.number), class_="n"),
         sign,
         words,
+        thoughts(step, before),
         class_=classes("step", fail=not done, now=now),
     )
 

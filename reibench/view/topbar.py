@@ -6,6 +6,9 @@ from typing import Literal, get_args
 
 from reibench.dialogue import CONTEXTS, REFERENCES, Vagueness
 from reibench.episode import Episode
+from reibench.methods import methods
+from reibench.planners import planners
+from reibench.run import needs_model
 from reibench.scene import Scene
 from reibench.view.catalogue import Catalogue
 from reibench.view.markup import classes, element, text
@@ -15,11 +18,10 @@ ACTORS: tuple[Actor, ...] = get_args(Actor)
 ACTOR_NAMES: dict[Actor, str] = {
     "me": "Me",
     "model": "Model",
-    "tocc": "Model + TOCC",
+    "tocc": "Model + {method}",
     "side": "Side by side",
 }
-METHOD_NAMES = {"tocc": "TOCC", "tocc-span": "TOCC-span"}
-"""Variants of TOCC a visitor can choose, and what the page calls them."""
+"""`{method}` is the one a visitor chose."""
 
 _LOGO = (
     '<svg viewBox="0 0 32 32" aria-hidden="true"><rect width="32" height="32" rx="8"'
@@ -58,19 +60,26 @@ def topbar(
     actor: Actor,
     model: ModelStatus,
     links: Sequence[tuple[str, str]],
+    *,
+    method: str = "method",
 ) -> str:
-    """Return the pages' bar and the choice of episode and actor under it."""
+    """Return the pages' bar and the choice of episode and actor under it.
+
+    `method` is what the page calls the prompting method that one actor uses.
+    """
     setup = element(
         "div",
         _task_type(catalogue, episode),
         _level_grid(catalogue, episode),
         _room(catalogue, episode, scene),
         element("span", class_="grow"),
-        _actors(actor),
+        _actors(actor, method),
         class_="setup",
         id="setup",
     )
-    top = element("header", _pages(model, links), _folded(episode, actor), setup, class_="top")
+    top = element(
+        "header", _pages(model, links), _folded(episode, actor, method), setup, class_="top"
+    )
     return element("div", top, data_episode=episode.id, data_actor=actor, id="choice")
 
 
@@ -115,7 +124,7 @@ def _pages(model: ModelStatus, links: Sequence[tuple[str, str]]) -> str:
     )  # fmt: skip
 
 
-def _folded(episode: Episode, actor: Actor) -> str:
+def _folded(episode: Episode, actor: Actor, method: str) -> str:
     """Return what a phone shows instead of the whole choice."""
     level = f"{episode.vagueness.reference}, {episode.vagueness.context}"
     words = f"{episode.task.goal.task_type.label} · {level}"
@@ -129,7 +138,8 @@ def _folded(episode: Episode, actor: Actor) -> str:
         aria_controls="setup",
     )
     options = [
-        element("option", ACTOR_NAMES[each], value=each, selected=each == actor) for each in ACTORS
+        element("option", _actor_name(each, method), value=each, selected=each == actor)
+        for each in ACTORS
     ]
     choice = element(
         "select", *options, class_="native", data_choose="actor", aria_label="Who acts"
@@ -223,11 +233,11 @@ def _room(catalogue: Catalogue, episode: Episode, scene: Scene) -> str:
     )
 
 
-def _actors(actor: Actor) -> str:
+def _actors(actor: Actor, method: str) -> str:
     buttons = [
         element(
             "button",
-            ACTOR_NAMES[each],
+            _actor_name(each, method),
             type="button",
             role="radio",
             aria_checked="true" if each == actor else "false",
@@ -239,6 +249,30 @@ def _actors(actor: Actor) -> str:
     group = element("div", *buttons, class_="seg", role="radiogroup", aria_label="Who acts")
     note = element("span", "Same skills, budget and feedback for everyone", class_="xs muted")
     return element("div", element("span", "Who acts", class_="label"), group, note, class_="field")
+
+
+def _actor_name(actor: Actor, method: str) -> str:
+    return text(ACTOR_NAMES[actor].format(method=method))
+
+
+def method_title(name: str) -> str:
+    """Return what the page calls the method registered under `name`."""
+    return methods.create(name).title
+
+
+def offered_planners() -> list[str]:
+    """Return the names of the planners that ask a model."""
+    return [name for name in planners.names() if needs_model(name)]
+
+
+def planner_title(name: str) -> str:
+    """Return what the page calls the planner registered under `name`."""
+    return str(getattr(planners.get(name), "title", name))
+
+
+def planner_summary(name: str) -> str:
+    """Return what that planner does, in a few words."""
+    return str(getattr(planners.get(name), "summary", ""))
 
 
 def room_name(room: str) -> str:

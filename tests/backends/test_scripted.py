@@ -34,3 +34,9 @@ def test_an_answer_that_is_no_option_is_named():
 def test_a_missing_script_is_named(tmp_path):
     with pytest.raises(ModelUnavailable, match="cannot be read"):
         open_backend(f"scripted:{tmp_path / 'absent.txt'}")
+
+
+def test_a_line_of_a_file_can_hold_an_answer_of_several_lines(tmp_path):
+    (tmp_path / "plan.txt").write_text("1: find a mug\\n2: find a cup\ndone\n")
+    script = open_backend(f"scripted:{tmp_path / 'plan.txt'}")
+    assert script.generate(Prompt("")).text == "1: find a mug\n2: find a cup"

@@ -5,6 +5,7 @@ from itertools import chain, zip_longest
 import pytest
 from playwright.sync_api import expect
 
+from reibench.methods import methods
 from tests.browser import serving
 
 EPISODE = "heat_potato.mixed-noised"
@@ -114,6 +115,17 @@ def test_the_shelf_tells_which_models_are_here(visit):
     expect(shelf).to_be_hidden()
 
 
+def test_an_address_chooses_the_method_and_the_page_explains_all_of_them(visit):
+    demo = visit(f"?episode={EPISODE}&actor=tocc&method=gated-ap")
+    expect(demo.page.locator(".seg [data-actor=tocc]")).to_have_text("Model + Gated AP")
+    demo.page.click(".pill")
+    shelf = demo.page.locator("#shelf")
+    expect(shelf.locator("input[value='gated-ap']")).to_be_checked()
+    expect(shelf.locator("input[name=method]")).to_have_count(len(methods.names()))
+    expect(shelf).to_contain_text(methods.create("gated-ap").summary)
+    assert "method=gated-ap" in demo.page.url
+
+
 def test_a_restarted_server_finds_the_visitor_where_they_were(visit, tmp_path):
     port = serving.free_port()
     with serving.app(tmp_path / "demo.db", port=port) as address:
@@ -126,3 +138,33 @@ def test_a_restarted_server_finds_the_visitor_where_they_were(visit, tmp_path):
         assert demo.steps == 1
         demo.do("open the fridge")
         assert demo.steps == 2
+
+
+GRAPH = (
+    "1: find a potato\\n2: pick up the potato after 1\\n3: find a microwave\\n"
+    "4: put down the potato after 2, 3\\ndone"
+)
+REST = "1: open the microwave\\n2: put down the potato after 1\\ndone"
+
+
+def test_a_planner_s_graph_is_seen_as_it_grows_and_why_a_step_was_taken(visit, tmp_path):
+    script = tmp_path / "graphs.txt"
+    script.write_text(f"1: find a potato after 1\n{GRAPH}\n{REST}\n")
+    with serving.app(tmp_path / "demo.db", model=f"scripted:{script}") as address:
+        demo = visit(f"?episode={EPISODE}&actor=model&planner=dag-plan", address=address)
+        page = demo.page
+        expect(page.locator(".act h2")).to_have_text("DAG-Plan")
+        page.click("[data-do=watch]")
+        expect(page.locator(".act .verdict")).to_be_visible(timeout=60_000)
+        expect(page.locator(".made .graph .node.done")).to_have_count(2)
+        page.locator(".thoughts summary").first.click()
+        expect(page.locator(".thoughts").first).to_contain_text("in a circle: 1 → 1")
+        page.reload()
+        demo.settled()
+        expect(page.locator(".made .graph .node.done")).to_have_count(2)
+        page.click(".pill")
+        expect(page.locator("#shelf input[value='dag-plan']")).to_be_checked()
+        page.locator("#shelf input[value='hpe']").check()
+        demo.settled()
+        expect(page.locator(".act h2")).to_have_text("HPE")
+        assert "planner=hpe" in page.url

@@ -93,3 +93,13 @@ def test_the_request_is_what_names_a_place():
     assert request("Sold. Put it on the shelf. Thank you.") == "Put it on the shelf."
     assert request("Close your eyes. Chill the egg.") == "Chill the egg."
     assert request("Never mind.") == "Never mind."
+
+
+def test_every_question_is_kept_as_it_was_sent_the_last_as_the_prompt():
+    said = "Lay the long one in the deep one, please."
+    shown, backend = told(said, "the long one", "the deep one", "spoon", "bowl")
+    sent = [prompt.text + prompt.begun for prompt in backend.prompts]
+    kept = [each.text for each in shown.artefacts if each.kind == "prompt"]
+    assert [*kept, shown.prompt] == sent
+    answers = [each.text.strip() for each in shown.artefacts if each.kind == "answer"]
+    assert answers == ["the long one", "the deep one", "spoon"]

@@ -3,9 +3,10 @@
 import re
 from html import unescape
 
+from reibench.artefact import Artefact
 from reibench.methods import Instruction
 from reibench.view.dialogue import conversation, utterance_text
-from reibench.view.rewrite import rewritten_box, word_diff
+from reibench.view.rewrite import told_box, word_diff
 
 
 def plain(markup):
@@ -62,6 +63,33 @@ def test_a_rewrite_is_escaped():
     assert "<b>" not in word_diff("Heat it.", "Heat <b>it</b>.")
 
 
+def test_what_led_to_an_instruction_can_be_unfolded():
+    told = Instruction(
+        text="Heat it.",
+        original="Heat it.",
+        context=("A potato.",),
+        demonstrations="By <it>, the human means",
+        notes="Robot thinks: it is the potato.",
+        prompt="Which thing is meant?",
+        answer="the potato",
+        artefacts=(Artefact("note", "gate", "It stayed shut."),),
+    )
+    box = told_box(told, "CoT", turns=1)
+    assert "<h3>Prepared by CoT before planning</h3>" in box
+    assert "<blockquote>Robot thinks: it is the potato.</blockquote>" in box
+    assert "It stayed shut." in box
+    for folded in ("By &lt;it&gt;, the human means", "Which thing is meant?", "the potato"):
+        assert f"<pre>{folded}</pre>" in box
+    assert "left the instruction" not in box
+    assert "not shown the dialogue" not in box
+
+
+def test_a_planner_that_is_kept_from_the_dialogue_says_so():
+    told = Instruction(text="Heat it.", original="Heat it.")
+    assert "not shown the dialogue" in told_box(told, "No context", turns=2)
+    assert "not shown the dialogue" not in told_box(told, "No context", turns=0)
+
+
 def test_an_instruction_that_was_left_alone_says_so():
     told = Instruction(text="Heat it.", original="Heat it.")
-    assert "left the instruction as it was" in rewritten_box(told, "TOCC")
+    assert "left the instruction as it was" in told_box(told, "TOCC")

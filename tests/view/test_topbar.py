@@ -2,8 +2,10 @@
 
 from reibench.dialogue import LEVELS
 from reibench.episode import TaskType
+from reibench.methods import methods
 from reibench.models import overview
 from reibench.view.catalogue import Catalogue
+from reibench.view.markup import text
 from reibench.view.shelf import Fetching, shelf
 from reibench.view.topbar import ModelStatus, room_name, topbar
 
@@ -56,20 +58,34 @@ def test_rooms_are_called_as_people_would():
 def test_the_shelf_says_what_is_here_and_what_it_takes_to_get_the_rest(tags):
     models = overview()
     absent = next(entry.model.name for entry in models if not entry.present)
-    markup = shelf(models, chosen="gemma-3-270m", method="tocc-span")
+    markup = shelf(models, chosen="gemma-3-270m", planner="saycan", method="tocc-span")
     buttons = [each["data-model"] for each in tags(markup, "button") if each.get("data-model")]
     assert absent in buttons
     [span] = [each for each in tags(markup, "input") if each.get("value") == "tocc-span"]
     assert "checked" in span
 
 
+def test_the_menu_explains_every_method_and_the_bar_names_the_chosen_one(episodes, rooms, tags):
+    markup = shelf(overview(), chosen="gemma-3-270m", planner="saycan", method="gated-ap")
+    radios = {each["value"]: each for each in tags(markup, "input") if each.get("name") == "method"}
+    assert sorted(radios) == methods.names()
+    assert [name for name, each in radios.items() if "checked" in each] == ["gated-ap"]
+    for name in methods.names():
+        assert text(methods.create(name).summary) in markup
+    catalogue = Catalogue.of(episodes.values())
+    scene = rooms[catalogue.first.task.setup.room]
+    status = ModelStatus("m", "ready")
+    bar = topbar(catalogue, catalogue.first, scene, "me", status, (), method="Gated AP")
+    assert bar.count("Model + Gated AP") == 2
+
+
 def test_a_model_on_its_way_shows_how_far_it_is_or_what_went_wrong():
     models = overview()
     absent = next(entry.model.name for entry in models if not entry.present)
     coming = {absent: Fetching(612_000_000, 1_117_000_000, 180)}
-    markup = shelf(models, chosen="gemma-3-270m", method="tocc", fetching=coming)
+    markup = shelf(models, chosen="gemma-3-270m", planner="saycan", method="tocc", fetching=coming)
     assert "612 MB of 1,117 MB, 3 min left" in markup
     failed = {absent: Fetching(error="The source cannot be reached.")}
-    markup = shelf(models, chosen="gemma-3-270m", method="tocc", fetching=failed)
+    markup = shelf(models, chosen="gemma-3-270m", planner="saycan", method="tocc", fetching=failed)
     assert "The source cannot be reached." in markup
     assert "Try again" in markup

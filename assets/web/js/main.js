@@ -135,7 +135,7 @@ document.addEventListener("click", (event) => {
 document.addEventListener("change", (event) => {
   const what = event.target.dataset?.choose;
   if (!what) return;
-  if (what === "model" || what === "method") {
+  if (["model", "planner", "method"].includes(what)) {
     remember(what, event.target.value);
     send("choose");
   } else if (what === "actor") {
@@ -241,6 +241,7 @@ onChange(() => {
   }
   scrollToEnd(".act .stepscroll", `${act?.dataset.sitting} ${act?.dataset.expected} ${act?.dataset.over}`);
   scrollToEnd(".talk", episode);
+  showDue(`${act?.dataset.sitting} ${act?.dataset.expected} ${act?.dataset.over}`);
   if (refocus && !isBusy()) {
     document.querySelector(refocus)?.focus();
     refocus = "";
@@ -256,6 +257,19 @@ function scrollToEnd(selector, version) {
   scrolled.set(selector, version);
   scrolled.set(pane, pane);
   pane.scrollTop = pane.scrollHeight;
+}
+
+// the sub-task that is being done, in the middle of a long graph
+function showDue(version) {
+  const pane = document.querySelector(".made");
+  if (!pane || (scrolled.get(".made") === version && scrolled.get(pane) === pane)) return;
+  scrolled.set(".made", version);
+  scrolled.set(pane, pane);
+  const all = pane.querySelectorAll(".node.now, .node.done, .node.failed");
+  const due = pane.querySelector(".node.now, .node.failed") ?? all[all.length - 1];
+  if (!due) return;
+  const [box, frame] = [due.getBoundingClientRect(), pane.getBoundingClientRect()];
+  pane.scrollTo({ top: pane.scrollTop + box.top - frame.top - frame.height / 2, behavior: "instant" });
 }
 
 // seconds since the model began to think
@@ -285,6 +299,12 @@ document.addEventListener("pointerover", (event) => {
   if (!said || !root.classList.contains("show-re")) return;
   for (const spot of document.querySelectorAll(`.plan [data-type="${said.dataset.type}"]`)) spot.classList.add("meant", "chosen");
 });
+
+// an address that names a model, planner or method is meant to be gone on with
+for (const name of ["model", "planner", "method"]) {
+  const named = new URL(location.href).searchParams.get(name);
+  if (named) remember(name, named);
+}
 
 setTheme(wanted());
 root.classList.toggle("show-re", recall("marks", false));

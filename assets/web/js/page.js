@@ -33,8 +33,8 @@ function stored() {
 
 /** What this browser remembers and the server should know. */
 export function settings() {
-  const { model = "", method = "" } = stored();
-  return { model, method };
+  const { model = "", planner = "", method = "" } = stored();
+  return { model, planner, method };
 }
 
 /** Return one remembered value. */
