@@ -12,8 +12,9 @@ ONLY_IN = {
     "gradio": ("app.py", "reibench/pages/"),
     "fastapi": ("app.py",),
     "ai2thor": ("reibench/worlds/ai2thor/client.py",),
-    "torch": ("reibench/backends/transformers.py",),
-    "transformers": ("reibench/backends/transformers.py",),
+    "torch": ("reibench/backends/transformers/", "reibench/bench/published.py"),
+    "transformers": ("reibench/backends/transformers/", "reibench/bench/published.py"),
+    "guidance": ("reibench/bench/published.py",),
     "openai": ("reibench/backends/openai.py",),
     "httpx2": ("reibench/backends/openai.py",),
     "xllamacpp": ("reibench/backends/llama_cpp.py",),
@@ -32,7 +33,7 @@ LEVELS = {
     "bench": 8, "commands": 8, "pages": 8, "__main__": 8,
 }  # fmt: skip
 MODULES = sorted((ROOT / "reibench").rglob("*.py"))
-HEAVY = ("torch", "ai2thor", "gradio", "fastapi", "xllamacpp", "transformers", "openai")
+HEAVY = ("torch", "ai2thor", "gradio", "fastapi", "xllamacpp", "transformers", "openai", "guidance")
 CATCHING = {"run.py"}
 """Where everything may be caught: an episode that breaks is recorded as an error."""
 
