@@ -11,12 +11,12 @@ from itertools import pairwise, takewhile
 from pathlib import Path
 from statistics import median
 from tempfile import TemporaryDirectory
-from time import perf_counter
+from time import perf_counter, process_time
 
 from reibench import models
 from reibench.backends import Backend, Generation, Prompt, Selection
 from reibench.backends.llama_cpp import LlamaCpp, processors
-from reibench.bench.published import Chosen, Published, missing, versions
+from reibench.bench.published import Chosen, Published, load, missing, versions
 from reibench.dataset.files import shipped_episodes
 from reibench.dataset.sample import select
 from reibench.episode import Episode
@@ -30,6 +30,15 @@ LEVEL = "mixed-standard"
 STEPS = 6
 """Steps played of each."""
 RESTARTS = 3
+THEIRS = (
+    "guidance_seconds_per_step",
+    "guidance_processor_seconds_per_step",
+    "ratio",
+    "processor_ratio",
+    "guidance_tokens_evaluated_per_step",
+    "same_choices",
+)
+"""What is known only where the published way is measured too."""
 
 
 @dataclass(frozen=True)
@@ -39,6 +48,8 @@ class Asked:
     prompt: Prompt
     selection: Selection
     seconds: float
+    processor_seconds: float
+    """Seconds of processor time, all threads together: other processes count less in it."""
     published: Chosen | None = None
     """What the published selection made of the same prompt, right after."""
 
@@ -64,12 +75,12 @@ class Timed:
 
     def choose(self, prompt: Prompt, options: Sequence[str]) -> Selection:
         """Return the model's choice."""
-        started = perf_counter()
+        started, used = perf_counter(), process_time()
         selection = self._model.choose(prompt, options)
-        seconds = perf_counter() - started
+        seconds, used = perf_counter() - started, process_time() - used
         text = selection.prompt
         other = self._published.choose(text, options) if self._published else None
-        self.asked.append(Asked(prompt, selection, seconds, other))
+        self.asked.append(Asked(prompt, selection, seconds, used, other))
         return selection
 
     def close(self) -> None:
@@ -83,6 +94,7 @@ class Start:
 
     open_seconds: float
     first_step_seconds: float
+    first_step_processor_seconds: float
     evaluated: int
     """Tokens evaluated for the first step."""
 
@@ -117,7 +129,7 @@ def start(name: str, threads: int, cache: Path, number: int) -> Start:
     opened = perf_counter() - began
     [[first]] = play(model, [number], steps=1)
     model.close()
-    return Start(opened, first.seconds, first.evaluated)
+    return Start(opened, first.seconds, first.processor_seconds, first.evaluated)
 
 
 def restart(name: str, threads: int, cache: Path, number: int) -> Start:
@@ -147,9 +159,11 @@ def tokens_new(model: LlamaCpp, before: Sequence[Asked], asked: Sequence[Asked])
     return new
 
 
-def bench_planner(name: str, *, steps: int = STEPS, restarts: int = RESTARTS) -> dict[str, object]:
+def bench_planner(
+    name: str, *, threads: int = 0, steps: int = STEPS, restarts: int = RESTARTS
+) -> dict[str, object]:
     """Return what `bench planner --json` prints; takes some minutes with the published way."""
-    threads, path, lacking = processors(), models.path_of(name), missing()
+    threads, path, lacking = threads or processors(), models.path_of(name), missing()
     warm_numbers = range(1, len(dialogues()))
     with TemporaryDirectory() as folder:
         cache = Path(folder)
@@ -158,7 +172,7 @@ def bench_planner(name: str, *, steps: int = STEPS, restarts: int = RESTARTS) ->
         opened = perf_counter() - began
         [first] = play(model, [0], steps)
         starts = [restart(name, threads, cache, 1) for _ in range(restarts)]
-        published = None if lacking else Published(path, threads)
+        published = None if lacking else load(path, threads)
         if published:
             next(play(model, [0], 1, published))  # its first episode is not counted either
         warm = [one for each in play(model, warm_numbers, steps, published) for one in each]
@@ -176,6 +190,9 @@ def bench_planner(name: str, *, steps: int = STEPS, restarts: int = RESTARTS) ->
         "first_step_after_restart_seconds": round(
             median(one.first_step_seconds for one in starts), 3
         ),
+        "first_step_after_restart_processor_seconds": round(
+            median(one.first_step_processor_seconds for one in starts), 3
+        ),
         "tokens_evaluated_after_restart": round(median(one.evaluated for one in starts)),
         "tokens_of_first_prompt": first[0].selection.usage.prompt_tokens,
         "tokens_evaluated_per_step": _mean([one.evaluated for one in warm]),
@@ -187,21 +204,26 @@ def bench_planner(name: str, *, steps: int = STEPS, restarts: int = RESTARTS) ->
 
 
 def _beside(warm: Sequence[Asked], lacking: str) -> dict[str, object]:
-    """Return the seconds of warm steps, ours and the published way's on the same prompts."""
-    ours = median(one.seconds for one in warm)
-    pairs = [(one, one.published) for one in warm if one.published]
-    theirs = median(other.seconds for _, other in pairs) if pairs else None
-    same = [one.selection.text == other.text for one, other in pairs]
-    return {
-        "warm_seconds_per_step": round(ours, 4),
-        "guidance_seconds_per_step": theirs and round(theirs, 4),
-        "ratio": theirs and round(theirs / ours, 2),
-        "guidance_tokens_evaluated_per_step": (
-            _mean([other.evaluated for _, other in pairs]) if pairs else None
-        ),
-        "same_choices": sum(same) if pairs else None,
-        "guidance": lacking or versions(),
+    """Return what warm steps cost, ours and the published way's on the same prompts."""
+    cost = {
+        "warm_seconds_per_step": median(one.seconds for one in warm),
+        "warm_processor_seconds_per_step": median(one.processor_seconds for one in warm),
     }
+    ours = {name: round(value, 4) for name, value in cost.items()}
+    pairs = [(one, one.published) for one in warm if one.published]
+    if not pairs:
+        return ours | dict.fromkeys(THEIRS) | {"guidance": lacking}
+    seconds = median(other.seconds for _, other in pairs)
+    used = median(other.processor_seconds for _, other in pairs)
+    theirs = (
+        round(seconds, 4),
+        round(used, 4),
+        round(seconds / cost["warm_seconds_per_step"], 2),
+        round(used / cost["warm_processor_seconds_per_step"], 2),
+        _mean([other.evaluated for _, other in pairs]),
+        sum(one.selection.text == other.text for one, other in pairs),
+    )
+    return ours | dict(zip(THEIRS, theirs, strict=True)) | {"guidance": versions()}
 
 
 def _mean(numbers: Sequence[float]) -> float:

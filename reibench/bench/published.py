@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from importlib.metadata import version
 from importlib.util import find_spec
 from pathlib import Path
-from time import perf_counter
+from time import perf_counter, process_time
 from typing import Any
 
 NEEDED = ("guidance", "gguf", "torch", "transformers")
@@ -33,6 +33,8 @@ class Chosen:
 
     text: str
     seconds: float
+    processor_seconds: float
+    """Seconds of processor time, all threads together."""
     evaluated: int
     """Tokens evaluated."""
 
@@ -62,19 +64,11 @@ class Rewinding:
 class Published:
     """A loop over `guidance.select`, which keeps the last prompt evaluated."""
 
-    def __init__(self, path: Path, threads: int) -> None:
-        """Load the GGUF file `path`, which is taken out of its quantisation: a minute or so."""
-        import torch
-        import transformers
+    def __init__(self, model: Any, tokenizer: Any) -> None:
+        """Ask a transformers model; `load` gives both."""
         from guidance import models
 
-        torch.set_num_threads(threads)
-        library: Any = transformers
-        library.utils.logging.disable_progress_bar()
-        where: Any = {"pretrained_model_name_or_path": path.parent, "gguf_file": path.name}
-        tokenizer = library.AutoTokenizer.from_pretrained(**where)
-        model = library.AutoModelForCausalLM.from_pretrained(**where, dtype=torch.float32)
-        self._model = Rewinding(model.eval())
+        self._model = Rewinding(model)
         as_model: Any = self._model
         self._start = models.Transformers(as_model, tokenizer, echo=False, enable_monitoring=False)
 
@@ -82,10 +76,25 @@ class Published:
         """Return the option that guidance selects after `text`."""
         from guidance import select
 
-        before, started = self._model.evaluated, perf_counter()
+        before, started, used = self._model.evaluated, perf_counter(), process_time()
         answer = self._start + text + select(list(options), name="step")
         chosen: str = answer["step"]
-        return Chosen(chosen, perf_counter() - started, self._model.evaluated - before)
+        seconds, used = perf_counter() - started, process_time() - used
+        return Chosen(chosen, seconds, used, self._model.evaluated - before)
+
+
+def load(path: Path, threads: int) -> Published:
+    """Load the GGUF file `path`, which is taken out of its quantisation: a minute or so."""
+    import torch
+    import transformers
+
+    torch.set_num_threads(threads)
+    library: Any = transformers
+    library.utils.logging.disable_progress_bar()
+    where: Any = {"pretrained_model_name_or_path": path.parent, "gguf_file": path.name}
+    tokenizer = library.AutoTokenizer.from_pretrained(**where)
+    model = library.AutoModelForCausalLM.from_pretrained(**where, dtype=torch.float32)
+    return Published(model.eval(), tokenizer)
 
 
 def _state_by_length() -> Any:

@@ -4,7 +4,7 @@ import json
 from argparse import ArgumentParser, Namespace
 from typing import Any
 
-from reibench.bench.planner import bench_planner
+from reibench.bench.planner import STEPS, bench_planner
 from reibench.bench.worlds import bench_world
 from reibench.commands.options import add_json
 from reibench.commands.output import say, table
@@ -16,6 +16,10 @@ def add(command: ArgumentParser) -> None:
     command.add_argument(
         "--model", default="gemma-3-270m", help="planner: a model on the shelf (%(default)s)"
     )
+    command.add_argument("--threads", type=int, default=0, help="planner (default: as in `run`)")
+    command.add_argument(
+        "--steps", type=int, default=STEPS, help="planner: at most so many an episode (%(default)s)"
+    )
     add_json(command)
     command.set_defaults(command=bench_command)
 
@@ -26,7 +30,8 @@ def bench_command(arguments: Namespace) -> int:
     if arguments.what == "world":
         result, show = bench_world(), _world_lines
     else:
-        result, show = bench_planner(arguments.model), _planner_lines
+        result = bench_planner(arguments.model, threads=arguments.threads, steps=arguments.steps)
+        show = _planner_lines
     for line in [json.dumps(result)] if arguments.json else show(result):
         say(line)
     return 0
