@@ -12,9 +12,10 @@ ONLY_IN = {
     "gradio": ("app.py", "reibench/pages/"),
     "fastapi": ("app.py",),
     "ai2thor": ("reibench/worlds/ai2thor/client.py",),
-    "torch": ("reibench/backends/transformers/",),
-    "transformers": ("reibench/backends/transformers/",),
+    "torch": ("reibench/backends/transformers/", "reibench/bench/published.py"),
+    "transformers": ("reibench/backends/transformers/", "reibench/bench/published.py"),
     "llguidance": ("reibench/backends/transformers/",),
+    "guidance": ("reibench/bench/published.py",),
     "openai": ("reibench/backends/openai.py",),
     "httpx2": ("reibench/backends/openai.py",),
     "xllamacpp": ("reibench/backends/llama_cpp.py",),
@@ -40,7 +41,7 @@ LEVELS = {
 MODULES = sorted((ROOT / "reibench").rglob("*.py"))
 HEAVY = (
     "torch", "ai2thor", "gradio", "fastapi", "xllamacpp", "transformers", "llguidance", "openai",
-    "unified_planning", "up_fast_downward", "matplotlib", "ray",
+    "unified_planning", "up_fast_downward", "matplotlib", "ray", "guidance",
 )  # fmt: skip
 CATCHING = {"run.py"}
 """Where everything may be caught: an episode that breaks is recorded as an error."""
