@@ -24,6 +24,10 @@ class InvalidTrial(ReibenchError):
     """An ALFRED trial or a file of the official split lacks something or is damaged."""
 
 
+class InvalidGoal(ReibenchError):
+    """A PDDL goal that cannot be read, or that no plan reaches."""
+
+
 class InvalidRoom(ReibenchError):
     """A room or scene file says something impossible."""
 
@@ -38,6 +42,10 @@ class WorldUnavailable(ReibenchError):
 
 class WorldBroken(ReibenchError):
     """A world's simulator died, hung or talked nonsense; the next reset starts a fresh one."""
+
+
+class WorkerLost(ReibenchError):
+    """A process or machine that played an episode for a run died."""
 
 
 class StoreUnavailable(ReibenchError):

@@ -13,15 +13,13 @@ from urllib.request import ProxyHandler, Request, build_opener
 
 from reibench import models
 from reibench.backends import Backend, Generation, Prompt, Selection, Usage, backends
-from reibench.backends.walk import Node, Walk, grow
+from reibench.backends.walk import OPTION_ENDS, Node, Walk, grow, inside_line
 from reibench.errors import ModelUnavailable, ReibenchError, unknown
 
 SLOTS = 8
 """Prompts kept evaluated side by side: six task types' examples and two rewriting prompts."""
 CONTEXT = 3072
 """Tokens a prompt and its answer may have together."""
-OPTION_ENDS = (",", ".", "\n")
-"""What may follow a whole option, where another option goes on."""
 BIAS = 200.0
 """Lifts the allowed tokens above all others; the softmax of the rest is then 0 in single floats."""
 
@@ -105,11 +103,9 @@ class LlamaCpp:
     def _after_option(self, text: str) -> tuple[int, ...]:
         """Return the tokens of `text` as they are inside a line, not at the start of one."""
         if text not in self._tokens_of:
-            before = self._tokenize("a", special=False)
-            whole = self._tokenize("a" + text, special=False)
-            alone = self._tokenize(text, special=False)
-            inside = whole[: len(before)] == before and len(whole) > len(before)
-            self._tokens_of[text] = whole[len(before) :] if inside else alone
+            self._tokens_of[text] = inside_line(
+                text, lambda part: self._tokenize(part, special=False)
+            )
         return self._tokens_of[text]
 
     def _formatted(self, prompt: Prompt) -> str:
