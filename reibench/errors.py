@@ -24,6 +24,10 @@ class InvalidTrial(ReibenchError):
     """An ALFRED trial or a file of the official split lacks something or is damaged."""
 
 
+class InvalidGoal(ReibenchError):
+    """A PDDL goal that cannot be read, or that no plan reaches."""
+
+
 class InvalidRoom(ReibenchError):
     """A room or scene file says something impossible."""
 

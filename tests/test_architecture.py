@@ -17,8 +17,11 @@ ONLY_IN = {
     "openai": ("reibench/backends/openai.py",),
     "httpx2": ("reibench/backends/openai.py",),
     "xllamacpp": ("reibench/backends/llama_cpp.py",),
+    "unified_planning": ("reibench/planners/pddl.py",),
+    "up_fast_downward": ("reibench/planners/pddl.py",),
     "sqlite_utils": ("reibench/store/",),
     "ray": ("reibench/evaluation/on_ray.py",),
+    "matplotlib": ("reibench/report/figures.py",),
 }
 LEVELS = {
     "errors": 0, "registry": 0,
@@ -28,13 +31,16 @@ LEVELS = {
     "methods": 4, "dataset": 4, "pool": 4,
     "planners": 5,
     "rollout": 6,
-    "verdict": 7, "version": 7, "run": 7, "store": 7, "score": 7, "report": 7, "replay": 7,
-    "watching": 7, "sittings": 7, "view": 7, "fidelity": 7, "evaluation": 7,
+    "verdict": 7, "faults": 7, "version": 7, "run": 7, "store": 7, "score": 7, "report": 7,
+    "tally": 7, "published": 1,
+    "replay": 7, "watching": 7, "sittings": 7, "view": 7, "fidelity": 7,
+    "evaluation": 7,
     "bench": 8, "commands": 8, "pages": 8, "__main__": 8,
 }  # fmt: skip
 MODULES = sorted((ROOT / "reibench").rglob("*.py"))
 HEAVY = (
-    "torch", "ai2thor", "gradio", "fastapi", "xllamacpp", "transformers", "openai", "ray",
+    "torch", "ai2thor", "gradio", "fastapi", "xllamacpp", "transformers", "openai",
+    "unified_planning", "up_fast_downward", "matplotlib", "ray",
 )  # fmt: skip
 CATCHING = {"run.py"}
 """Where everything may be caught: an episode that breaks is recorded as an error."""

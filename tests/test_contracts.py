@@ -26,6 +26,8 @@ class Obliging:
     def generate(self, prompt, *, max_tokens=128, stop=(), grammar=""):
         graph = "1: find a potato\n2: pick up the potato after 1\ndone"
         words = 'potato" is the potato. Heat the potato.'
+        if prompt.begun.startswith("(:goal"):
+            return Generation(" (hot potato)))", prompt=prompt.text)
         asked_for_graph = prompt.text.endswith("Graph:\n")
         return Generation(graph if asked_for_graph else words, prompt=prompt.text)
 

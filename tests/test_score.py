@@ -1,12 +1,17 @@
 """Scores count every episode begun, and their parts add up."""
 
 from itertools import pairwise
+from math import isnan
 
+import pandas as pd
 import pytest
 
-from reibench.report import score_markdown, score_report, score_rows
+from reibench.report import score_rows
+from reibench.report.markdown import score_markdown
+from reibench.report.text import score_report
 from reibench.run import RunSpec, evaluate
-from reibench.score import paired, records_frame, sign_test, summarise, wilson
+from reibench.score import bootstrap, paired, sign_test, summarise, wilson
+from reibench.tally import records_frame
 from reibench.worlds import worlds
 
 DONE = RunSpec(model="scripted:done")
@@ -24,7 +29,7 @@ def scored(store, episodes, script):
 
 
 def test_every_episode_counts_and_the_parts_add_up(scored):
-    expert, done = score_rows(scored, None, "level")
+    expert, done = score_rows(records_frame(scored))
     assert (expert["episodes"], expert["success"]) == (9, 9)
     assert (done["episodes"], done["success"]) == (9, 0)
     assert done["object_omission"] == 8
@@ -35,8 +40,11 @@ def test_every_episode_counts_and_the_parts_add_up(scored):
 
 def test_runs_are_compared_on_the_episodes_both_finished(scored):
     versus = paired(records_frame(scored), EXPERT.id, DONE.id)
-    assert versus["episodes"] == versus["only_first"] == 9
-    assert versus["p"] == pytest.approx(2 / 2**9)
+    assert versus.episodes == versus.only_first == 9
+    assert versus.p == pytest.approx(2 / 2**9)
+    # nine levels of one task say nothing about other tasks
+    assert (versus.tasks, versus.difference) == (1, -1.0)
+    assert isnan(versus.low)
 
 
 def test_levels_are_counted_apart(scored):
@@ -48,7 +56,7 @@ def test_picking_the_object_but_missing_the_goal_is_an_execution_error(store, ep
     episode = episodes["cool_apple.mixed-short"]
     backend = script(" find an apple", " pick up the apple", " done")
     list(evaluate(DONE, [episode], backend, worlds.create("embedded"), store))
-    [row] = score_rows(store, None, "level")
+    [row] = score_rows(records_frame(store))
     assert (row["execution_error"], row["object_omission"]) == (1, 0)
 
 
@@ -57,25 +65,25 @@ def test_an_unlit_lamp_is_an_omitted_object(store, episodes, script):
     backend = script(*skills)
     episode = episodes["light_card.mixed-short"]
     list(evaluate(DONE, [episode], backend, worlds.create("embedded"), store))
-    [row] = score_rows(store, None, "level")
+    [row] = score_rows(records_frame(store))
     assert (row["execution_error"], row["object_omission"]) == (0, 1)
 
 
 def test_underdetermined_episodes_are_shown_apart(scored):
-    expert = score_rows(scored, None, "level")[0]
+    expert = score_rows(records_frame(scored))[0]
     assert (expert["episodes"], expert["determined_only"]["episodes"]) == (9, 8)
-    assert "without 1 underdetermined: success   8 of 8" in score_report([expert], "level")
+    assert "without 1 underdetermined: success   8 of 8" in score_report([expert])
 
 
 def test_scores_make_a_markdown_table(scored):
-    lines = score_markdown(score_rows(scored, None, "level"), "level").splitlines()
+    lines = score_markdown(score_rows(records_frame(scored))).splitlines()
     assert lines[0] == "| level | expert | saycan+none/scripted:done |"
     assert "| mixed-noised | 1/1 | 0/1 |" in lines
-    assert lines[-1].startswith("| **breakdown** | 0 of 9")
+    assert "| **breakdown** | 0 of 9 0.0% [0.0%, 29.9%] | 1 of 9 11.1% [2.0%, 43.5%] |" in lines
 
 
 def test_nothing_run_yet_is_said(store):
-    assert score_report(score_rows(store, None, "level"), "level") == "No episode has been run yet."
+    assert score_report(score_rows(records_frame(store))) == "No episode has been run yet."
 
 
 def test_wilson_intervals_are_the_textbook_ones():
@@ -94,3 +102,23 @@ def test_wilson_intervals_shrink_with_more_trials():
 def test_the_sign_test_is_exact():
     assert sign_test(13, 1) == pytest.approx(0.00183, abs=1e-5)
     assert sign_test(0, 0) == 1.0
+
+
+def test_the_bootstrap_draws_whole_tasks():
+    tasks = pd.Series([*"aaabbb"])
+    # two tasks, one gained whole: a resample has none, one or two of it, 1 : 2 : 1
+    assert bootstrap(pd.Series([1, 1, 1, 0, 0, 0]), tasks) == (0.0, 1.0)
+    # gained alike in both tasks, nothing varies
+    assert bootstrap(pd.Series([1, 0, 0, 1, 0, 0]), tasks) == pytest.approx((1 / 3, 1 / 3))
+
+
+def test_the_bootstrap_agrees_with_theory_where_every_task_stands_once():
+    gains = pd.Series([1] * 60 + [0] * 140 + [-1] * 20)
+    low, high = bootstrap(gains, pd.Series(map(str, gains.index)))
+    spread = 1.96 * gains.std(ddof=0) / len(gains) ** 0.5
+    assert (low, high) == pytest.approx((gains.mean() - spread, gains.mean() + spread), abs=0.006)
+
+
+def test_the_bootstrap_repeats_with_its_seed():
+    gains, tasks = pd.Series([1, 0, -1, 1, 0] * 9), pd.Series([*"abcde"] * 9)
+    assert bootstrap(gains, tasks) == bootstrap(gains, tasks)

@@ -67,6 +67,11 @@ def chosen_episodes(arguments: Namespace) -> list[Episode]:
     return [chosen[place] for place in sorted(spread[:limit])]
 
 
+def listed(text: str) -> tuple[str, ...]:
+    """Return the parts of an option that takes several, with commas."""
+    return tuple(part.strip() for part in text.split(",") if part.strip())
+
+
 def existing_database(arguments: Namespace) -> Path:
     """Return the database's path; an empty one made by a typing error would hide it."""
     path = Path(arguments.db)

@@ -12,6 +12,7 @@ from sqlite_utils import Database
 from reibench.dataset.files import digest, episode_from_json, episode_to_json
 from reibench.episode import Episode
 from reibench.errors import UnknownName
+from reibench.faults import fault_kind
 from reibench.planners import Decision
 from reibench.rollout import Record, Rollout, Step
 from reibench.run import RunSpec
@@ -176,13 +177,14 @@ class Store(DatabaseFile):
         return record
 
     def _close(self, database: Database, record: Record) -> None:
-        kind = error_kind(record)
+        kind, fault = error_kind(record), fault_kind(record)
         database.execute(
-            "update records set status = ?, error_kind = ?, said_done = ?, error = ?,"
-            " instruction = ?, closing = ?, finished = ? where id = ?",
+            "update records set status = ?, error_kind = ?, fault = ?, said_done = ?,"
+            " error = ?, instruction = ?, closing = ?, finished = ? where id = ?",
             [
                 record.status,
                 kind and str(kind),
+                fault and str(fault),
                 record.said_done,
                 record.error,
                 thoughts.instruction_to_json(record.instruction),

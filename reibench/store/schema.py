@@ -64,3 +64,9 @@ def what_planners_made(database: Database) -> None:
     """Keep what planners made on their way, and what led them to say done."""
     database.execute("alter table steps add column artefacts text not null default '[]'")
     database.execute("alter table records add column closing text")
+
+
+@migration
+def what_failures_failed_by(database: Database) -> None:
+    """Keep the finer kind of failure; records made before have none until they are looked at."""
+    database.execute("alter table records add column fault text")
