@@ -12,6 +12,7 @@ from reibench.backends import Backend, backends
 from reibench.episode import Episode
 from reibench.errors import StoreUnavailable
 from reibench.methods import Instruction, methods
+from reibench.models.presets import full_name
 from reibench.planners import Planner, planners
 from reibench.rollout import MAX_STEPS, Record, Rollout, Step, drive
 from reibench.version import code_version
@@ -56,14 +57,15 @@ class RunSpec:
         return f"{self.planner}+{self.method}/{self.model}"
 
     def versioned(self) -> "RunSpec":
-        """Return this spec with its world's full name and the code that would play it now."""
+        """Return this spec with full names of model and world, and the code that plays it now."""
         parts = [planners.get(self.planner).__module__] if self.planner in planners.names() else []
-        if self.model:
-            backend = self.model.partition(":")[0]
+        model = full_name(self.model)
+        if model:
+            backend = model.partition(":")[0]
             parts += [methods.get(self.method).__module__, backends.get(backend).__module__]
         kind = self.world.partition(":")[0]
         code = code_version("reibench.rollout", worlds.get(kind).__module__, *parts)
-        return replace(self, code=code, world=resolve_world(self.world))
+        return replace(self, code=code, model=model, world=resolve_world(self.world))
 
     def check(self) -> None:
         """Refuse unknown names before anything is loaded; raises UnknownName."""

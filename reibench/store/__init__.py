@@ -179,8 +179,8 @@ class Store(DatabaseFile):
     def _close(self, database: Database, record: Record) -> None:
         kind, fault = error_kind(record), fault_kind(record)
         database.execute(
-            "update records set status = ?, error_kind = ?, fault = ?, said_done = ?,"
-            " error = ?, instruction = ?, closing = ?, finished = ? where id = ?",
+            "update records set status = ?, error_kind = ?, fault = ?, said_done = ?, error = ?,"
+            " instruction = ?, closing = ?, finished = ? where id = ?",
             [
                 record.status,
                 kind and str(kind),
