@@ -2,7 +2,7 @@
 
 import json
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from graphlib import CycleError, TopologicalSorter
@@ -13,7 +13,7 @@ from reibench.skill import OBJECTS_OF, Skill, Verb
 
 State = Literal["pending", "now", "done", "failed"]
 
-LINE = re.compile(r"^\W*(\d+)\s*[.:)\]\-]*\s*(\D.*)$")
+LINE = re.compile(r"^\W*(\d{1,6})\s*[.:)\]\-]*\s*(\D.*)$")
 MOST_NODES = 30
 """Sub-tasks a graph may have: the step budget."""
 
@@ -56,17 +56,6 @@ class Graph:
     def skills(self, *states: State) -> tuple[Skill, ...]:
         """Return the skills of the sub-tasks in any of `states`, as written."""
         return tuple(node.skill for node in self.nodes if node.state in states)
-
-    def layers(self) -> tuple[tuple[Node, ...], ...]:
-        """Return the sub-tasks by how long a chain of others leads to them."""
-        depth: dict[int, int] = {}
-        before = {node.id: node.after for node in self.nodes}
-        for each in TopologicalSorter(before).static_order():
-            depth[each] = 1 + max((depth[one] for one in before[each]), default=-1)
-        count = max(depth.values(), default=-1) + 1
-        return tuple(
-            tuple(node for node in self.nodes if depth[node.id] == layer) for layer in range(count)
-        )
 
     def written(self) -> str:
         """Return the graph as models write it, one sub-task a line."""
@@ -139,7 +128,7 @@ def _node(node_id: int, text: str, known: dict[str, Skill]) -> Node:
         near = get_close_matches(_bare(words), known, n=1)
         hint = f"; did you mean {known[near[0]].text!r}?" if near else "."
         raise UnusableGraph(f"Sub-task {node_id}, {words!r}, is nothing the robot can do{hint}")
-    return Node(node_id, skill, tuple(dict.fromkeys(map(int, re.findall(r"\d+", after)))))
+    return Node(node_id, skill, tuple(dict.fromkeys(map(int, re.findall(r"\d{1,6}", after)))))
 
 
 def _check_ids(graph: Graph) -> None:
@@ -193,9 +182,17 @@ def latest(before: Sequence[Node], verbs: Sequence[Verb], name: str) -> Iterator
             return
 
 
-def leads(first: int, last: int, after: dict[int, list[int]]) -> bool:
+def leads(first: int, last: int, after: Mapping[int, Sequence[int]]) -> bool:
     """Whether `last` waits for `first`, directly or through others."""
-    return first in after[last] or any(leads(first, each, after) for each in after[last])
+    waiting, seen = [last], {last}
+    while waiting:
+        for each in after[waiting.pop()]:
+            if each == first:
+                return True
+            if each not in seen:
+                seen.add(each)
+                waiting.append(each)
+    return False
 
 
 def grammar(skills: Sequence[Skill], *, least: int = 1) -> str:

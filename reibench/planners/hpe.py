@@ -4,6 +4,7 @@ As appendix A.1 adapts it: the model writes sub-goals, then chooses the steps of
 bank of what was seen and done, kept by rules, stands in its prompt instead of the whole history.
 """
 
+from collections import Counter
 from collections.abc import Generator, Sequence
 from typing import Literal
 
@@ -15,7 +16,7 @@ from reibench.planners.attempts import attempts
 from reibench.planners.examples import Example, fixed_set, nearest
 from reibench.planners.memory import MemoryBank
 from reibench.planners.notebook import Notebook
-from reibench.planners.subgoals import read_subgoals, stretches
+from reibench.planners.subgoals import grammar, read_subgoals, stretches
 from reibench.planners.telling import PENDING, told
 from reibench.skill import DONE, Skill, parse_skill
 from reibench.worlds import Event
@@ -32,6 +33,8 @@ ASKED_AGAIN = 2
 """How often sub-goals are asked for again where none can be read."""
 STEPS_EACH = 12
 """Steps for one sub-goal, after which the next one is tried."""
+TRIES = 3
+"""How often the same skill may fail for the same reason before the sub-goal is left."""
 LONGEST = 96
 """Tokens of the sub-goals."""
 
@@ -75,6 +78,7 @@ class Execution:
         self._memory = MemoryBank()
         self._subgoals: tuple[str, ...] = ()
         self._current = ""
+        self._left: list[str] = []
 
     def divide(self) -> tuple[str, ...]:
         """Let the model write the sub-goals; none if nothing it writes can be read."""
@@ -82,7 +86,11 @@ class Execution:
         for _ in range(ASKED_AGAIN + 1):
             prompt = Prompt(text, fixed=len(self._prefix))
             answer = self._notebook.generate(
-                prompt, "Sub-goals as written", most=LONGEST, stop=("\n",)
+                prompt,
+                "Sub-goals as written",
+                most=LONGEST,
+                stop=("\n",),
+                grammar=grammar(self._skills),
             )
             self._subgoals = read_subgoals(answer)
             if self._subgoals:
@@ -97,6 +105,7 @@ class Execution:
         self._current = subgoal
         text = f"{self._prefix}{self._task}{SUBGOALS} {'; '.join(self._subgoals)}\n"
         text += question(self._memory, subgoal)
+        failures: Counter[tuple[Skill, str]] = Counter()
         for _ in range(STEPS_EACH):
             chosen = self._notebook.choose(Prompt(text, fixed=len(self._prefix)), self._options)
             if chosen == DONE:
@@ -106,13 +115,23 @@ class Execution:
             event = yield self._notebook.decision(skill, *self.shown())
             self._memory.write(skill, success=event.success, message=event.message)
             text += step(skill, "" if event.success else event.message)
-        self._notebook.note("Sub-goal left", f"{subgoal}: not done after {STEPS_EACH} steps.")
+            failures[skill, event.message] += not event.success
+            if failures[skill, event.message] >= TRIES:
+                self._leave(f"{skill} failed {TRIES} times: {event.message}.")
+                return
+        self._leave(f"not done after {STEPS_EACH} steps.")
+
+    def _leave(self, reason: str) -> None:
+        self._left.append(self._current)
+        self._notebook.note("Sub-goal left", f"{self._current}: {reason}")
+        self._current = ""
 
     def shown(self) -> tuple[Artefact, ...]:
         """Return the sub-goals and the memory as they are now."""
         if not self._subgoals:
             return ()
-        marks = {self._current: "now"} | dict.fromkeys(self._memory.finished, "done")
+        marks = dict.fromkeys(self._left, "left") | {self._current: "now"}
+        marks |= dict.fromkeys(self._memory.finished, "done")
         lines = (f"{marks.get(each, 'to do')}: {each}" for each in self._subgoals)
         return (
             Artefact("plan", "Sub-goals", "\n".join(lines)),

@@ -59,6 +59,9 @@ class Translation:
 class LlmP:
     """Let the model write the goal and Fast Downward the plan."""
 
+    title = "LLM+P"
+    summary = "a goal in PDDL, which a classical planner turns into steps"
+
     reads_scene: ClassVar[bool] = True
     """Whether it is told what is in the room beside what the human says."""
 

@@ -10,11 +10,11 @@ from reibench.rollout import Step
 from reibench.skill import SKILLS
 from reibench.view.graph_drawing import graph_drawing
 from reibench.view.icons import mark
-from reibench.view.markup import element, text
+from reibench.view.markup import classes, element, text
 
 PICTURED: tuple[Kind, ...] = ("graph", "plan", "memory", "pddl")
 """Kinds with a form of their own, in the order they stand in a panel."""
-MARKS = {"done": ("cooked", ""), "now": ("on", "now"), "to do": ("", "left")}
+MARKS = {"done": ("cooked", ""), "now": ("on", "now"), "left": ("no", ""), "to do": ("", "due")}
 """How a line of a plan begins that says how far it is: its mark, its class."""
 
 
@@ -128,6 +128,6 @@ def _planned(line: str) -> str:
     if not colon or state not in MARKS:
         return element("li", element("span", text(line)))
     symbol, class_ = MARKS[state]
-    sign = element("span", mark(symbol) if symbol else "", class_="mk")
+    sign = element("span", mark(symbol) if symbol else "", class_=classes("mk", no=symbol == "no"))
     said = element("span", f"{state}: ", class_="sr")
     return element("li", sign, said, element("span", text(words)), class_=class_)

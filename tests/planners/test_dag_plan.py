@@ -190,3 +190,12 @@ def test_the_graphs_of_all_examples_pass_their_own_checks(played):
             rest = graph_of(remaining)
             assert mended(rest) == rest
             check_conditions(rest, setback)
+
+
+def test_a_graph_in_which_everything_depends_on_everything_is_checked_at_once(asked, played):
+    lines = [
+        f"{n}: find an apple" + (f" after {', '.join(map(str, range(1, n)))}" if n > 1 else "")
+        for n in range(1, 31)
+    ]
+    decisions, _ = played(DagPlan(ScriptedBackend(["\n".join(lines)])), asked)
+    assert len(decisions) == 30

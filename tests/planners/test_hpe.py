@@ -5,8 +5,9 @@ import pytest
 from reibench.backends.scripted import ScriptedBackend
 from reibench.planners.attempts import attempts
 from reibench.planners.examples import examples
-from reibench.planners.hpe import ASKED_AGAIN, STEPS_EACH, HierarchicalPlanningAndExecution
-from reibench.planners.subgoals import stretches
+from reibench.planners.hpe import ASKED_AGAIN, STEPS_EACH, TRIES, HierarchicalPlanningAndExecution
+from reibench.planners.subgoals import grammar, stretches
+from reibench.skill import parse_skill
 
 IN_FRIDGE = "the apple is in the fridge, which is closed"
 
@@ -111,6 +112,26 @@ def test_a_sub_goal_that_is_never_done_is_left_for_the_next(asked, played):
     assert len(decisions) == STEPS_EACH + 1
     assert made(decisions[-1], "note") == [f"get the apple: not done after {STEPS_EACH} steps."]
     assert memory(closing)["finished"] == "get the mug"
+
+
+def test_a_sub_goal_is_left_once_the_same_thing_has_failed_the_same_way_three_times(asked, played):
+    answers = ["get the apple; get the mug", *["find an apple"] * TRIES, "find a mug", "done"]
+    absent = [("find an apple", "there is no apple in this room")] * TRIES
+    _, decisions, closing = play(played, asked, answers, absent)
+    assert len(decisions) == TRIES + 1
+    assert made(decisions[-1], "note") == [
+        "get the apple: find an apple failed 3 times: there is no apple in this room."
+    ]
+    assert memory(closing)["not here"] == "apple"
+    assert made(closing, "plan") == ["left: get the apple\ndone: get the mug"]
+
+
+def test_sub_goals_may_only_be_about_what_the_skills_name():
+    written = grammar([parse_skill("find a sofa"), parse_skill("pick up the key chain")])
+    assert '"put the " pick-up " in or on the " place' in written
+    assert 'pick-up ::= "key chain"' in written
+    assert 'place ::= "sofa"' in written
+    assert "turn-on" not in written
 
 
 def test_every_example_ends_each_sub_goal_where_its_steps_reach_it():
