@@ -46,7 +46,7 @@ def fingerprint(model: Path) -> str:
     digest = hashlib.sha256(f"{about.st_size} {about.st_mtime_ns}".encode())
     with model.open("rb") as file:
         for number in range(SAMPLES):
-            file.seek(about.st_size * number // SAMPLES)
+            file.seek(max(0, about.st_size - SAMPLE) * number // (SAMPLES - 1))
             digest.update(file.read(SAMPLE))
     return digest.hexdigest()
 
