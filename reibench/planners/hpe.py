@@ -16,7 +16,7 @@ from reibench.planners.attempts import attempts, with_shut_place
 from reibench.planners.examples import Example, fixed_set, nearest
 from reibench.planners.memory import MemoryBank
 from reibench.planners.notebook import Notebook
-from reibench.planners.subgoals import GRAMMAR, read_subgoals, stretches
+from reibench.planners.subgoals import read_subgoals, stretches
 from reibench.planners.telling import PENDING, told
 from reibench.skill import DONE, Skill, parse_skill
 from reibench.worlds import Event
@@ -90,7 +90,6 @@ class Execution:
                 "Sub-goals as written",
                 most=LONGEST,
                 stop=("\n",),
-                grammar=GRAMMAR,
             )
             self._subgoals = read_subgoals(answer)
             if self._subgoals:

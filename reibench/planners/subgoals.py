@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from reibench.episode import TaskType
 from reibench.planners.attempts import Attempt
-from reibench.skill import RECEPTACLES, Skill, Verb, in_words
+from reibench.skill import Skill, Verb, in_words
 
 MOST_SUBGOALS = 8
 TREATING = {
@@ -18,21 +18,10 @@ SEPARATOR = re.compile(r"[;\n]")
 NUMBER = re.compile(r"^\W*(?:\d+\s*[.:)]?\s*)?")
 
 
-FORMS = (
-    '"put the " thing " in or on the " place',
-    '"heat the " thing " in the microwave"',
-    '"cool the " thing " in the fridge"',
-    '"wash the " thing " in the sink"',
+HOLLOW = frozenset(
+    "bathtub bowl box cabinet cup drawer fridge microwave mug pan pot safe sink".split()
 )
-PLACES = " | ".join(f'"{in_words(name)}"' for name in RECEPTACLES)
-GRAMMAR = f"""
-root ::= " " goal ("; " goal){{0,{MOST_SUBGOALS - 1}}} "\\n"
-goal ::= ("get the " | "turn on the " | "slice the ") thing | {" | ".join(FORMS)}
-thing ::= word (" " word){{0,2}}
-word ::= [A-Za-z] [A-Za-z-]{{1,20}}
-place ::= {PLACES}
-"""
-"""What sub-goals read like, in GBNF; what they are about is called as the human calls it."""
+"""What things are put into, not onto."""
 
 
 @dataclass(frozen=True)
@@ -85,7 +74,9 @@ def _reached(task_type: TaskType, begun: Sequence[Attempt], following: Sequence[
         form = TREATING[task_type] if treated else "get the {thing}"
         return form.format(thing=thing, place=_place(begun))
     if verb is Verb.PUT_DOWN and not _treated(begun, following):
-        return f"put the {thing} in or on the {_place(begun)}"
+        place = _place(begun)
+        preposition = "in" if place in HOLLOW else "on"
+        return f"put the {thing} {preposition} the {place}"
     return ""
 
 

@@ -126,20 +126,6 @@ def test_a_sub_goal_is_left_once_the_same_thing_has_failed_the_same_way_three_ti
     assert made(closing, "plan") == ["left: get the apple\ndone: get the mug"]
 
 
-def test_sub_goals_have_a_form_but_call_things_as_the_human_does(asked, played):
-    grammars = []
-
-    class Noting(ScriptedBackend):
-        def generate(self, prompt, *, grammar="", **options):
-            grammars.append(grammar)
-            return super().generate(prompt, **options)
-
-    backend = Noting(["get the thing for the soup", "done"])
-    played(HierarchicalPlanningAndExecution(backend), asked)
-    assert '"heat the " thing " in the microwave"' in grammars[0]
-    assert "Sub-goal: get the thing for the soup\n" in backend.prompts[-1].text
-
-
 @pytest.mark.parametrize("text", ["Heat the egg.", "Chill the egg.", "Put the egg in the bag."])
 def test_examples_show_what_to_do_where_the_place_is_shut(text, played):
     backend = ScriptedBackend(["get the egg", "done"])
@@ -160,5 +146,5 @@ def test_every_example_ends_each_sub_goal_where_its_steps_reach_it():
     assert [part.subgoal for part in stretches(heat.task_type, attempts(heat))] == [
         "get the cup",
         "heat the cup in the microwave",
-        "put the cup in or on the coffee table",
+        "put the cup on the coffee table",
     ]
