@@ -44,6 +44,10 @@ class WorldBroken(ReibenchError):
     """A world's simulator died, hung or talked nonsense; the next reset starts a fresh one."""
 
 
+class WorkerLost(ReibenchError):
+    """A process or machine that played an episode for a run died."""
+
+
 class StoreUnavailable(ReibenchError):
     """The database cannot be opened, read or written."""
 

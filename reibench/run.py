@@ -3,18 +3,20 @@
 import hashlib
 import json
 import logging
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import asdict, dataclass, replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from reibench.backends import Backend, backends
 from reibench.episode import Episode
 from reibench.errors import StoreUnavailable
 from reibench.methods import Instruction, methods
+from reibench.models.presets import full_name
 from reibench.planners import Planner, planners
 from reibench.rollout import MAX_STEPS, Record, Rollout, Step, drive
 from reibench.version import code_version
-from reibench.worlds import Announce, World, silently, worlds
+from reibench.worlds import Announce, Event, World, silently, worlds
 from reibench.worlds.naming import create_world, resolve_world
 from reibench.worlds.rules import rules_called
 
@@ -55,14 +57,15 @@ class RunSpec:
         return f"{self.planner}+{self.method}/{self.model}"
 
     def versioned(self) -> "RunSpec":
-        """Return this spec with its world's full name and the code that would play it now."""
+        """Return this spec with full names of model and world, and the code that plays it now."""
         parts = [planners.get(self.planner).__module__] if self.planner in planners.names() else []
-        if self.model:
-            backend = self.model.partition(":")[0]
+        model = full_name(self.model)
+        if model:
+            backend = model.partition(":")[0]
             parts += [methods.get(self.method).__module__, backends.get(backend).__module__]
         kind = self.world.partition(":")[0]
         code = code_version("reibench.rollout", worlds.get(kind).__module__, *parts)
-        return replace(self, code=code, world=resolve_world(self.world))
+        return replace(self, code=code, model=model, world=resolve_world(self.world))
 
     def check(self) -> None:
         """Refuse unknown names before anything is loaded; raises UnknownName."""
@@ -105,33 +108,67 @@ def play(spec: RunSpec, rollout: Rollout, backend: Backend | None) -> Iterator[S
     yield from drive(rollout, planner, rollout.instruction)
 
 
+def seeded(spec: RunSpec, episode: Episode) -> Episode:
+    """Return the episode as this run plays it: its seed decides where the robot starts.
+
+    Episodes that say themselves where the robot starts, as ALFRED's trials do, are as they were.
+    """
+    if not spec.seed or episode.task.setup.start:
+        return episode
+    setup = replace(episode.task.setup, seed=episode.task.setup.seed + spec.seed)
+    return replace(episode, task=replace(episode.task, setup=setup))
+
+
+def attempt(
+    spec: RunSpec,
+    rollout: Rollout,
+    backend: Backend | None,
+    started: Callable[[Event], object],
+    stepped: Callable[[Step], object],
+) -> str:
+    """Play one episode to its end, whatever breaks, and return what broke, or nothing.
+
+    `started` and `stepped` are told what happened as soon as it has.
+    """
+    try:
+        started(rollout.start())
+        for step in play(spec, rollout, backend):
+            stepped(step)
+    except StoreUnavailable:
+        raise
+    except Exception as problem:
+        # A lost episode would flatter the success rate: it is recorded as an error.
+        log.warning("%s broke: %s", rollout.episode.id, problem, exc_info=True)
+        return f"{type(problem).__name__}: {problem}"
+    return ""
+
+
 def evaluate(
     spec: RunSpec,
     episodes: Iterable[Episode],
     backend: Backend | None,
     world: World,
     store: "Store",
+    *,
+    retry: bool = False,
 ) -> Iterator[Record]:
     """Play `episodes` in turn; each begun leaves one record in `store`, even if it breaks.
 
-    Episodes this spec has finished already are not repeated; one that was cut short is played
-    again from its start, under the same record.
+    Episodes this spec has finished already are not repeated, but for those that broke if `retry`;
+    one that was cut short is played again from its start, under the same record.
     """
-    finished = store.finished(spec)
-    for episode in episodes:
-        if episode.id in finished:
+    finished = store.finished(spec, but_errors=retry)
+    for chosen in episodes:
+        if chosen.id in finished:
             continue
+        episode = seeded(spec, chosen)
         record_id = store.begin(spec, episode)
         rollout = Rollout(episode, world, max_steps=spec.max_steps)
-        error = ""
-        try:
-            store.started(record_id, rollout.start())
-            for step in play(spec, rollout, backend):
-                store.add_step(record_id, rollout, step)
-        except StoreUnavailable:
-            raise
-        except Exception as problem:
-            # A lost episode would flatter the success rate: it is recorded as an error.
-            log.warning("%s broke: %s", episode.id, problem, exc_info=True)
-            error = f"{type(problem).__name__}: {problem}"
+        error = attempt(
+            spec,
+            rollout,
+            backend,
+            partial(store.started, record_id),
+            partial(store.add_step, record_id, rollout),
+        )
         yield store.finish(record_id, rollout, spec.actor, error=error)

@@ -1,6 +1,7 @@
 """Shared pieces: shipped episodes, real worlds, a temporary store, a script instead of a model."""
 
 import os
+import tempfile
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -22,6 +23,9 @@ from reibench.worlds import World, worlds
 
 # Rooms that happen to have been imported on this machine are none of the tests' business.
 os.environ["REIBENCH_ROOMS"] = str(Path(__file__).parent / "no-imported-rooms")
+# Nor are prefixes that models have evaluated here before.
+CACHE = tempfile.TemporaryDirectory(prefix="reibench-cache-")
+os.environ["REIBENCH_CACHE"] = CACHE.name
 SHARED = Path(os.environ.get("REIBENCH_SHARED", Path(__file__).parents[1] / ".." / "shared"))
 
 

@@ -12,8 +12,10 @@ ONLY_IN = {
     "gradio": ("app.py", "reibench/pages/"),
     "fastapi": ("app.py",),
     "ai2thor": ("reibench/worlds/ai2thor/client.py",),
-    "torch": ("reibench/backends/transformers.py",),
-    "transformers": ("reibench/backends/transformers.py",),
+    "torch": ("reibench/backends/transformers/", "reibench/bench/published.py"),
+    "transformers": ("reibench/backends/transformers/", "reibench/bench/published.py"),
+    "llguidance": ("reibench/backends/transformers/",),
+    "guidance": ("reibench/bench/published.py",),
     "openai": ("reibench/backends/openai.py",),
     "httpx2": ("reibench/backends/openai.py",),
     "xllamacpp": ("reibench/backends/llama_cpp.py",),
@@ -21,6 +23,7 @@ ONLY_IN = {
     "up_fast_downward": ("reibench/planners/pddl.py",),
     "sqlite_utils": ("reibench/store/",),
     "matplotlib": ("reibench/report/figures.py",),
+    "ray": ("reibench/evaluation/on_ray.py",),
 }
 LEVELS = {
     "errors": 0, "registry": 0,
@@ -32,13 +35,13 @@ LEVELS = {
     "rollout": 6,
     "verdict": 7, "faults": 7, "version": 7, "run": 7, "store": 7, "score": 7, "report": 7,
     "tally": 7, "published": 1,
-    "replay": 7, "watching": 7, "sittings": 7, "view": 7, "fidelity": 7,
+    "replay": 7, "watching": 7, "sittings": 7, "view": 7, "fidelity": 7, "evaluation": 7,
     "bench": 8, "commands": 8, "pages": 8, "__main__": 8,
 }  # fmt: skip
 MODULES = sorted((ROOT / "reibench").rglob("*.py"))
 HEAVY = (
-    "torch", "ai2thor", "gradio", "fastapi", "xllamacpp", "transformers", "openai",
-    "unified_planning", "up_fast_downward", "matplotlib",
+    "torch", "ai2thor", "gradio", "fastapi", "xllamacpp", "transformers", "llguidance", "openai",
+    "unified_planning", "up_fast_downward", "matplotlib", "ray", "guidance",
 )  # fmt: skip
 CATCHING = {"run.py"}
 """Where everything may be caught: an episode that breaks is recorded as an error."""

@@ -11,6 +11,7 @@ from reibench.planners import planners
 from reibench.report import score_rows
 from reibench.run import RunSpec, evaluate, make_world, needs_model
 from reibench.skill import SKILLS
+from reibench.tally import records_frame
 from reibench.worlds import worlds
 from reibench.worlds.naming import create_world
 
@@ -53,7 +54,7 @@ def test_every_planner_works_with_every_method_from_run_to_score(planner, method
     assert kept.instruction.text
     assert kept.instruction.original == episode.dialogue.instruction.text
     assert [step.decision for step in kept.steps] == [step.decision for step in played.steps]
-    [row] = score_rows(store, None, "level")
+    [row] = score_rows(records_frame(store))
     assert (row["episodes"], row["breakdown"]) == (1, 0)
 
 

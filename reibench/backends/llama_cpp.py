@@ -3,8 +3,10 @@
 import json
 import logging
 import os
-from collections import OrderedDict
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from importlib.metadata import version
+from itertools import takewhile
 from pathlib import Path
 from threading import Lock
 from time import perf_counter
@@ -13,15 +15,17 @@ from urllib.request import ProxyHandler, Request, build_opener
 
 from reibench import models
 from reibench.backends import Backend, Generation, Prompt, Selection, Usage, backends
-from reibench.backends.walk import Node, Walk, grow
+from reibench.backends.prefixes import Prefixes, fingerprint, folder, prepare
+from reibench.backends.slots import Slots
+from reibench.backends.walk import OPTION_ENDS, Node, Walk, grow, inside_line
 from reibench.errors import ModelUnavailable, ReibenchError, unknown
 
 SLOTS = 8
 """Prompts kept evaluated side by side: six task types' examples and two rewriting prompts."""
 CONTEXT = 3072
 """Tokens a prompt and its answer may have together."""
-OPTION_ENDS = (",", ".", "\n")
-"""What may follow a whole option, where another option goes on."""
+BETWEEN = -1
+"""Stands between texts that are turned into tokens together; no token is called that."""
 BIAS = 200.0
 """Lifts the allowed tokens above all others; the softmax of the rest is then 0 in single floats."""
 
@@ -35,20 +39,29 @@ class LlamaCpp:
     """A GGUF model in this process; calls are taken one at a time, from any thread.
 
     Each fixed prompt prefix has its own slot, where llama.cpp keeps it evaluated, so only what is
-    new in a prompt costs time. `choose` is a greedy walk over the options' own tokens: at each
-    token that tells options apart the likeliest is taken, as the published planner's `select`
-    does; the likeliest option as a whole may be another.
+    new in a prompt costs time; on disk it outlives the process. `choose` is a greedy walk over the
+    options' own tokens: at each token that tells options apart the likeliest is taken, as the
+    published planner's `select` does; the likeliest option as a whole may be another.
     """
 
-    def __init__(self, path: Path, *, name: str = "", threads: int = 0, slots: int = SLOTS) -> None:
-        """Open `path`; raises ModelUnavailable."""
+    def __init__(
+        self,
+        path: Path,
+        *,
+        name: str = "",
+        threads: int = 0,
+        slots: int = SLOTS,
+        cache: Path | None = None,
+    ) -> None:
+        """Open `path`, keeping prefixes in `cache`; raises ModelUnavailable."""
         self.name = name or f"llama-cpp:{path}"
         self._path = path
         self._lock = Lock()
         self._chat = _has_chat_template(path)
-        self._server: Any = _open(path, threads or _processors(), slots)
-        self._slot_of: OrderedDict[str, int] = OrderedDict((f"\0{n}", n) for n in range(slots))
-        self._tokens_of: dict[str, tuple[int, ...]] = {}
+        kept = prepare(cache or folder())
+        self._server: Any = _open(path, threads or processors(), slots, kept)
+        prefixes = Prefixes(kept, f"{fingerprint(path)} {_version()}") if kept else None
+        self._slots = Slots(slots, self._complete, self._post, prefixes)
         self._roots: dict[tuple[str, ...], Node] = {}
 
     def generate(
@@ -58,12 +71,15 @@ class LlamaCpp:
         with self._lock:
             started = perf_counter()
             sent = self._formatted(prompt)
-            request: dict[str, object] = {"prompt": sent}
+            slot, before = self._place(prompt, sent)
+            request: dict[str, object] = {"prompt": sent, "id_slot": slot, "cache_prompt": True}
             request |= {"n_predict": max_tokens, "temperature": 0.0, "stop": list(stop)}
             if grammar:
                 request["grammar"] = grammar
-            answer = self._complete(request, prompt)
-            return Generation(answer["choices"][0]["text"], _usage(answer, started), sent)
+            answer = self._complete(request)
+            usage = _usage(answer, started)
+            usage = replace(usage, cached_tokens=max(0, usage.cached_tokens - before))
+            return Generation(answer["choices"][0]["text"], usage, sent)
 
     def choose(self, prompt: Prompt, options: Sequence[str]) -> Selection:
         """Return the option that a greedy walk over `options`' tokens takes after `prompt`."""
@@ -71,11 +87,13 @@ class LlamaCpp:
             started = perf_counter()
             root = self._root(tuple(options))
             sent = self._formatted(prompt)
-            start = self._tokenize(sent, special=True)
+            slot, before = self._place(prompt, sent)
+            start = self.tokens(sent)
             asked: list[Usage] = []
 
             def ask(path: tuple[int, ...], children: Sequence[int]) -> Mapping[int, float]:
-                answer = self._complete(_weighing((*start, *path), children), prompt)
+                weighing = _weighing((*start, *path), children)
+                answer = self._complete({**weighing, "id_slot": slot, "cache_prompt": True})
                 asked.append(_usage(answer))
                 [token] = answer["choices"][0]["logprobs"]["content"]
                 return {one["id"]: one["prob"] for one in token["top_probs"]}
@@ -84,7 +102,7 @@ class LlamaCpp:
             text = walk.greedy(root)
             alternatives = walk.alternatives(text)
             # all questions share the prompt: only what was new in each was evaluated
-            evaluated = sum(usage.prompt_tokens - usage.cached_tokens for usage in asked)
+            evaluated = before + sum(one.prompt_tokens - one.cached_tokens for one in asked)
             tokens = len(start) + len(walk.tokens)
             cached = max(0, tokens - evaluated)
             seconds = perf_counter() - started
@@ -96,21 +114,26 @@ class LlamaCpp:
         with self._lock:
             self._server = None
 
+    def tokens(self, text: str) -> tuple[int, ...]:
+        """Return the tokens of a prompt as it is sent."""
+        request = {"content": text, "add_special": True, "parse_special": True}
+        return tuple(self._post("/tokenize", request)["tokens"])
+
     def _root(self, options: tuple[str, ...]) -> Node:
         if options not in self._roots:
-            ends = tuple(self._after_option(end)[0] for end in OPTION_ENDS)
-            self._roots[options] = grow({o: self._after_option(o) for o in options}, ends)
+            texts = (*OPTION_ENDS, *options)
+            tokens = self._parts([*texts, *("a" + text for text in texts), "a"])
+            inside = {text: inside_line(text, tokens.__getitem__) for text in texts}
+            ends = tuple(inside[end][0] for end in OPTION_ENDS)
+            self._roots[options] = grow({option: inside[option] for option in options}, ends)
         return self._roots[options]
 
-    def _after_option(self, text: str) -> tuple[int, ...]:
-        """Return the tokens of `text` as they are inside a line, not at the start of one."""
-        if text not in self._tokens_of:
-            before = self._tokenize("a", special=False)
-            whole = self._tokenize("a" + text, special=False)
-            alone = self._tokenize(text, special=False)
-            inside = whole[: len(before)] == before and len(whole) > len(before)
-            self._tokens_of[text] = whole[len(before) :] if inside else alone
-        return self._tokens_of[text]
+    def _parts(self, texts: Sequence[str]) -> dict[str, tuple[int, ...]]:
+        """Return the tokens of each of `texts`, asking once: a question each takes a second."""
+        content = [part for text in texts for part in (text, BETWEEN)]
+        request = {"content": content, "add_special": False, "parse_special": False}
+        answer = iter(self._post("/tokenize", request)["tokens"])
+        return {text: tuple(takewhile(lambda token: token != BETWEEN, answer)) for text in texts}
 
     def _formatted(self, prompt: Prompt) -> str:
         if not (prompt.chat and self._chat):
@@ -119,22 +142,20 @@ class LlamaCpp:
         template: str = self._post("/apply-template", {"messages": messages})["prompt"]
         return template + prompt.begun
 
-    def _tokenize(self, text: str, *, special: bool) -> tuple[int, ...]:
-        request = {"content": text, "add_special": special, "parse_special": special}
-        return tuple(self._post("/tokenize", request)["tokens"])
+    def _place(self, prompt: Prompt, sent: str) -> tuple[int, int]:
+        """Return the slot for a prompt, and the tokens evaluated for its fixed prefix just now."""
+        begin = sent.find(prompt.text[: prompt.fixed])
+        prefix = sent[: begin + prompt.fixed] if begin >= 0 and prompt.fixed else ""
 
-    def _slot(self, prompt: Prompt) -> int:
-        """Return the slot that keeps this prompt's fixed prefix, or the one unused longest."""
-        prefix = prompt.text[: prompt.fixed]
-        if prefix not in self._slot_of:
-            _, slot = self._slot_of.popitem(last=False)
-            self._slot_of[prefix] = slot
-        self._slot_of.move_to_end(prefix)
-        return self._slot_of[prefix]
+        def shared() -> list[int]:
+            # where the prefix ends, its last token may be another than in the prompt
+            both = zip(self.tokens(prefix), self.tokens(sent), strict=False)
+            return [one for one, _ in takewhile(lambda pair: pair[0] == pair[1], both)]
 
-    def _complete(self, request: Mapping[str, object], prompt: Prompt) -> dict[str, Any]:
-        request = {**request, "id_slot": self._slot(prompt), "cache_prompt": True}
-        answer: dict[str, Any] = self._running().handle_completions(request)
+        return self._slots.place(prefix, shared)
+
+    def _complete(self, request: Mapping[str, object]) -> Mapping[str, Any]:
+        answer: dict[str, Any] = self._running().handle_completions(dict(request))
         if "error" in answer:
             raise ReibenchError(f"{self.name} refuses a prompt: {answer['error']['message']}.")
         return answer
@@ -153,7 +174,7 @@ class LlamaCpp:
         return self._server
 
 
-def _open(path: Path, threads: int, slots: int) -> Any:
+def _open(path: Path, threads: int, slots: int, kept: Path | None) -> Any:
     if not path.is_file():
         raise ModelUnavailable(
             f"There is no model file {path}; give the path of a GGUF file, or the name of a model"
@@ -175,6 +196,7 @@ def _open(path: Path, threads: int, slots: int) -> Any:
     params.warmup = False
     params.swa_full = True  # a sliding window forgets prefixes, which are then evaluated again
     params.cache_ram_mib = 0  # the slots hold all we reuse
+    params.slot_save_path = f"{kept}{os.sep}" if kept else ""
     params.verbosity = -1
     started = perf_counter()
     try:
@@ -218,6 +240,10 @@ def _usage(answer: Mapping[str, Any], started: float | None = None) -> Usage:
     )
 
 
+def _version() -> str:
+    return f"xllamacpp {version('xllamacpp')}"
+
+
 def _has_chat_template(path: Path) -> bool:
     # asked for a template, llama.cpp gives a default where the file has none
     if not path.is_file():
@@ -226,7 +252,8 @@ def _has_chat_template(path: Path) -> bool:
         return b"tokenizer.chat_template" in file.read(1 << 25)
 
 
-def _processors() -> int:
+def processors() -> int:
+    """Return how many threads a model uses here unless told otherwise."""
     usable = getattr(os, "sched_getaffinity", None)
     return min(8, len(usable(0)) if usable else os.cpu_count() or 1)
 

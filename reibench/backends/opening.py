@@ -2,18 +2,19 @@
 
 from reibench.backends import Backend, backends
 from reibench.errors import UnknownName
+from reibench.models.presets import full_name
 
 
 def open_backend(name: str) -> Backend:
-    """Open the language model called `KIND:SOURCE`; takes a few seconds for a real one.
+    """Open the language model called `KIND:SOURCE`, or a preset; a real one takes a few seconds.
 
     Raises:
         UnknownName: when there is no such kind, or no such model.
         ModelUnavailable: when its file is missing or broken, or it cannot be reached.
     """
-    kind, colon, source = name.partition(":")
+    kind, _, source = full_name(name).partition(":")
     factory = backends.get(kind)
-    if not colon or not source:
+    if not source:
         raise UnknownName(
             f"{name!r} names no language model; it should read KIND:NAME, for example"
             f" {kind + ':gemma-3-270m' if kind == 'llama-cpp' else kind + ':NAME'!r}."

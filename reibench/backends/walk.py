@@ -14,6 +14,9 @@ RUNNER_UP = 0.1
 MOST = 5
 """Alternatives listed."""
 
+OPTION_ENDS = (",", ".", "\n")
+"""What may follow a whole option, where another option goes on."""
+
 Ask = Callable[[tuple[int, ...], Sequence[int]], Mapping[int, float]]
 """Given the tokens so far and those that may follow, how probable is each of these?"""
 
@@ -32,6 +35,13 @@ class Node:
     def choices(self) -> tuple[int, ...]:
         """Tokens that may follow here, with `END` if an option may end here."""
         return (*self.children, END) if self.option else tuple(self.children)
+
+
+def inside_line(text: str, tokenize: Callable[[str], tuple[int, ...]]) -> tuple[int, ...]:
+    """Return the tokens of `text` as they are inside a line, not at the start of one."""
+    before, whole = tokenize("a"), tokenize("a" + text)
+    inside = whole[: len(before)] == before and len(whole) > len(before)
+    return whole[len(before) :] if inside else tokenize(text)
 
 
 def grow(options: Mapping[str, Sequence[int]], ends: tuple[int, ...]) -> Node:

@@ -4,30 +4,40 @@ import json
 from argparse import ArgumentParser, Namespace
 from typing import Any
 
-from reibench.bench import bench_world
+from reibench.bench.planner import STEPS, bench_planner
+from reibench.bench.worlds import bench_world
 from reibench.commands.options import add_json
 from reibench.commands.output import say, table
 
 
 def add(command: ArgumentParser) -> None:
     """Add the command's options."""
-    command.add_argument("what", choices=("world",))
+    command.add_argument("what", choices=("world", "planner"))
+    command.add_argument(
+        "--model", default="gemma-3-270m", help="planner: a model on the shelf (%(default)s)"
+    )
+    command.add_argument("--threads", type=int, default=0, help="planner (default: as in `run`)")
+    command.add_argument(
+        "--steps", type=int, default=STEPS, help="planner: at most so many an episode (%(default)s)"
+    )
     add_json(command)
     command.set_defaults(command=bench_command)
 
 
 def bench_command(arguments: Namespace) -> int:
-    """Time the embedded world, alone and beside itself over AI2-THOR's wires."""
-    result: dict[str, Any] = bench_world()
-    if arguments.json:
-        say(json.dumps(result))
+    """Time worlds, alone and over AI2-THOR's wires, or a planner beside the published way."""
+    result: dict[str, Any]
+    if arguments.what == "world":
+        result, show = bench_world(), _world_lines
     else:
-        for line in _lines(result):
-            say(line)
+        result = bench_planner(arguments.model, threads=arguments.threads, steps=arguments.steps)
+        show = _planner_lines
+    for line in [json.dumps(result)] if arguments.json else show(result):
+        say(line)
     return 0
 
 
-def _lines(result: dict[str, Any]) -> list[str]:
+def _world_lines(result: dict[str, Any]) -> list[str]:
     sizes = [
         [size, rate, result["working_skill_steps_per_second"][size], f"{share:.0%}"]
         for size, rate, share in zip(
@@ -50,4 +60,24 @@ def _lines(result: dict[str, Any]) -> list[str]:
         f"Side by side with {result['side_by_side_objects']} objects; FIFO and WSGI are the same"
         " world through AI2-THOR's client and the wire stand-in (protocol-verified):",
         table(sides, ["world", "visits a second", "working steps a second", "to embedded"]),
+    ]
+
+
+def _planner_lines(result: dict[str, Any]) -> list[str]:
+    theirs = (
+        f"the published way takes {result['guidance_seconds_per_step']:.3f} s for the same prompts,"
+        f" {result['ratio']} times as long ({result['guidance']})."
+        if result["ratio"]
+        else result["guidance"]
+    )
+    return [
+        f"SayCan with {result['model']} on {result['machine']['threads']} threads (load"
+        f" {result['machine']['load_average'][0]}), {result['steps_measured']} warm steps:",
+        f"a warm step takes {result['warm_seconds_per_step']:.3f} s, one of the first episode"
+        f" {result['first_episode_seconds_per_step']:.3f} s;",
+        theirs,
+        f"Of a step's tokens {result['tokens_new_per_step']} are new and"
+        f" {result['tokens_evaluated_per_step']} are evaluated.",
+        f"In a new process the model is open after {result['open_after_restart_seconds']:.1f} s,"
+        f" and the first step takes {result['first_step_after_restart_seconds']:.2f} s.",
     ]

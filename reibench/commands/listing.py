@@ -3,6 +3,7 @@
 from argparse import ArgumentParser, Namespace
 from collections import Counter
 from collections.abc import Callable, Iterable
+from dataclasses import asdict
 from typing import Any
 
 from reibench.backends import backends
@@ -12,6 +13,7 @@ from reibench.dialogue import LEVELS
 from reibench.episode import Episode, TaskType
 from reibench.household import Room, load_room, room_names
 from reibench.methods import methods
+from reibench.models.presets import known
 from reibench.planners import planners
 from reibench.skill import DONE, SKILLS
 from reibench.worlds import worlds
@@ -32,7 +34,7 @@ NAMES: dict[str, Callable[[], Iterable[str]]] = {
 
 def add(command: ArgumentParser) -> None:
     """Add the command's options."""
-    command.add_argument("kind", choices=("episodes", *NAMES))
+    command.add_argument("kind", choices=("episodes", "models", *NAMES))
     add_episodes(command)
     add_json(command)
     command.set_defaults(command=list_command)
@@ -45,6 +47,8 @@ def list_command(arguments: Namespace) -> int:
         return _list_rooms(arguments)
     if kind == "episodes":
         return _print_list(arguments, [_episode_row(each) for each in chosen_episodes(arguments)])
+    if kind == "models":
+        return _print_list(arguments, [asdict(model) for model in known()])
     return _print_list(arguments, [{kind.removesuffix("s"): name} for name in NAMES[kind]()])
 
 

@@ -1,15 +1,12 @@
-"""`run`: let a planner play episodes."""
+"""`run`: let planners play episodes."""
 
 from argparse import ArgumentParser, Namespace
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, closing, contextmanager, suppress
 from pathlib import Path
-from time import perf_counter
 
 from filelock import FileLock, Timeout
 
-from reibench.backends import Backend
-from reibench.backends.opening import open_backend
 from reibench.commands.options import (
     add_database,
     add_episodes,
@@ -20,21 +17,27 @@ from reibench.commands.options import (
 )
 from reibench.commands.output import tell
 from reibench.commands.scoring import print_scores
-from reibench.episode import Episode
 from reibench.errors import ReibenchError
+from reibench.evaluation.conducting import Conductor, Staff
+from reibench.evaluation.interrupting import ending_at_the_second
+from reibench.evaluation.product import Share, product, share_of
+from reibench.evaluation.progress import Progress
 from reibench.models import best_present
 from reibench.rollout import MAX_STEPS
-from reibench.run import RunSpec, evaluate, make_world, needs_model
+from reibench.run import RunSpec, needs_model
 from reibench.store import Store
-from reibench.verdict import error_kind
-from reibench.worlds.naming import check_world, renders, verified
+from reibench.worlds.naming import check_world, renders
 
 
 def add(command: ArgumentParser) -> None:
     """Add the command's options."""
-    command.add_argument("--planner", default="saycan", help="see `list planners`")
     command.add_argument(
-        "--model", help="llama-cpp:NAME, llama-cpp:FILE.gguf … (default: the best that is here)"
+        "--planner", default="saycan", help="see `list planners`; several with commas"
+    )
+    command.add_argument(
+        "--model",
+        help="llama-cpp:NAME, llama-cpp:FILE.gguf …; several with commas (default: the best that"
+        " is here)",
     )
     command.add_argument("--method", default="none", help="none, tocc …; several with commas")
     add_world(command, default_world())
@@ -44,6 +47,22 @@ def add(command: ArgumentParser) -> None:
     command.add_argument("--rules", default="strict", help="strict or official")
     command.add_argument("--max-steps", type=int, default=MAX_STEPS)
     command.add_argument("--seed", type=int, default=0, help="added to each episode's own seed")
+    command.add_argument(
+        "--workers",
+        type=int,
+        default=0,
+        metavar="N",
+        help="play N episodes at once: threads where the model is a server, else processes, each"
+        " with its own copy of the model (default: 1)",
+    )
+    command.add_argument(
+        "--ray",
+        default="",
+        metavar="ADDRESS",
+        help="play on a Ray cluster: HOST:PORT, auto or local (default: one worker a node that"
+        " opens a model, else one a processor)",
+    )
+    command.add_argument("--retry-errors", action="store_true", help="play again what broke before")
     add_episodes(command)
     add_database(command)
     add_json(command)
@@ -52,35 +71,42 @@ def add(command: ArgumentParser) -> None:
 
 def run_command(arguments: Namespace) -> int:
     """Play episodes with each planner, method and model asked for; finished ones are kept."""
-    model = ""
-    if needs_model(arguments.planner):
-        model = arguments.model or f"llama-cpp:{best_present()}"
-    specs = [
-        RunSpec(
-            planner=arguments.planner,
-            method=method,
-            model=model,
-            world=arguments.world,
-            rules=arguments.rules,
-            max_steps=arguments.max_steps,
-            seed=arguments.seed,
-        )
-        for method in arguments.method.split(",")
-    ]
+    if arguments.workers < 0:
+        raise ReibenchError(f"--workers {arguments.workers} is too few; it must be at least 1.")
+    specs = _specs(arguments)
+    chosen = chosen_episodes(arguments)
+    store = Store(arguments.db)
+    with ExitStack() as locks:
+        for spec in specs:
+            locks.enter_context(_alone(spec, store))
+        shares = [share_of(spec, chosen, store, retry=arguments.retry_errors) for spec in specs]
+        _run(shares, store, Staff(arguments.workers, arguments.ray, arguments.frames))
+    return print_scores(arguments, store, {spec.id for spec in specs})
+
+
+def _specs(arguments: Namespace) -> list[RunSpec]:
+    """Return the runs asked for; raises ReibenchError for anything that cannot be had."""
+    planners, methods = _listed(arguments.planner), _listed(arguments.method)
+    models = _listed(arguments.model or "")
+    if not models and any(needs_model(planner) for planner in planners):
+        models = [f"llama-cpp:{best_present()}"]
+    base = RunSpec(
+        world=arguments.world,
+        rules=arguments.rules,
+        max_steps=arguments.max_steps,
+        seed=arguments.seed,
+    )
+    specs = product(base, planners, methods, models)
     for spec in specs:
         spec.check()
     check_world(arguments.world)
     if arguments.frames and not renders(arguments.world):
         raise ReibenchError(f"The world {arguments.world} renders no frames; ai2thor does.")
-    specs = [spec.versioned() for spec in specs]
-    chosen = chosen_episodes(arguments)
-    store = Store(arguments.db)
-    backend = open_backend(specs[0].model) if specs[0].model else None
-    for spec in specs:
-        with _alone(spec, store):
-            _run(spec, chosen, backend, store, frames=arguments.frames)
-    ids = {spec.id for spec in specs}
-    return print_scores(arguments, store, ids)
+    return [spec.versioned() for spec in specs]
+
+
+def _listed(text: str) -> list[str]:
+    return [part.strip() for part in text.split(",") if part.strip()]
 
 
 @contextmanager
@@ -88,37 +114,30 @@ def _alone(spec: RunSpec, store: Store) -> Iterator[None]:
     """Keep a second process off the same run: it would begin again what this one is playing."""
     lock = FileLock(f"{store.path}.{spec.id}.lock", blocking=False)
     try:
-        with lock:
-            yield
-        Path(lock.lock_file).unlink(missing_ok=True)
+        lock.acquire()
     except Timeout:
         raise ReibenchError(
             f"Run {spec.id} ({spec.actor}) is already going on in another process; wait for it, or"
             " name another database with --db."
         ) from None
+    try:
+        yield
+    finally:
+        with suppress(OSError):  # where a file in use cannot be removed, it stays
+            Path(lock.lock_file).unlink()
+        lock.release()
 
 
-def _run(
-    spec: RunSpec,
-    chosen: list[Episode],
-    backend: Backend | None,
-    store: Store,
-    *,
-    frames: bool,
-) -> None:
-    before = store.finished(spec)
-    left = [episode for episode in chosen if episode.id not in before]
-    note = f" ({verified(spec.world)})" if verified(spec.world) else ""
-    tell(f"{spec.actor}{note}: {len(chosen)} episodes, {len(chosen) - len(left)} finished before")
-    world = make_world(spec, frames=frames, announce=tell)
-    begun = perf_counter()
-    for number, record in enumerate(evaluate(spec, left, backend, world, store), start=1):
-        taken = perf_counter() - begun
-        remaining = taken / number * (len(left) - number)
-        kind = error_kind(record)
-        outcome = record.status if kind is None else f"{record.status}, {kind}"
-        tell(
-            f"[{number}/{len(left)}] {record.episode.id}: {outcome}, {len(record.steps)} steps;"
-            f" {taken:.0f} s, about {remaining:.0f} s left"
-        )
-    world.close()
+def _run(shares: list[Share], store: Store, staff: Staff) -> None:
+    with ending_at_the_second(tell), closing(Conductor(shares, staff)) as conductor:
+        progress = Progress(shares, staff.workers)
+        for line in progress.opening():
+            tell(line)
+        try:
+            with closing(conductor.perform(store, tell)) as outcomes:
+                for spec, record, seconds in outcomes:
+                    for line in progress.note(spec, record, seconds):
+                        tell(line)
+        finally:
+            if progress.total:
+                tell(progress.closing())

@@ -6,6 +6,7 @@ from time import monotonic
 
 from reibench import models
 from reibench.commands.output import say, say_json, tell
+from reibench.models import presets
 
 REPORT_EVERY = 0.5
 """Seconds between two lines of progress."""
@@ -26,7 +27,7 @@ def models_command(arguments: Namespace) -> int:
     if arguments.json:
         say_json([asdict(shelved) for shelved in models.overview()])
     else:
-        say(models.table())
+        say(f"{models.table()}\n\n{presets.table()}")
     return 0
 
 

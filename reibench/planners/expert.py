@@ -11,7 +11,7 @@ from reibench.household.objects import SINGLE
 from reibench.methods import Instruction
 from reibench.planners import Decision, Plan, planners
 from reibench.scene import SceneObject
-from reibench.skill import PICKABLE, Skill, Verb
+from reibench.skill import PICKABLE, SKILLS, Skill, Verb
 from reibench.worlds import Event
 
 Moves: TypeAlias = Generator[Skill, Event, None]
@@ -143,8 +143,10 @@ class Expert:
         """Try one `receptacle` after another until the thing is put."""
         for _ in range(min(PLACES_TRIED, len(self._event.scene.of_type(receptacle)))):
             yield from self._go_to(receptacle)
-            if any(thing.openable and not thing.open for thing in self._seen(receptacle)):
-                yield from self._do(Verb.OPEN, receptacle)
+            opens = Skill(Verb.OPEN, receptacle)
+            shut = any(thing.openable and not thing.open for thing in self._seen(receptacle))
+            if shut and opens in SKILLS:  # a toilet is openable, but no skill opens one
+                yield from self._do(opens.verb, opens.object)
             yield from self._do(Verb.PUT_DOWN, carried)
             if self._event.success:
                 return

@@ -27,6 +27,8 @@ PREDICATES: Mapping[str, tuple[Role, ...]] = MappingProxyType(
     }
 )
 """What goals may say, with the roles of the arguments."""
+TREATMENTS = ("hot", "cold", "clean", "sliced")
+HELD = ("lit", "holding")
 HAND = "the hand"
 MOST = 5
 """Conditions a goal may have."""
@@ -124,7 +126,7 @@ def _place(fact: Fact) -> str:
     """Return where a fact says its thing is; empty if it does not."""
     if fact.predicate == "in":
         return fact.arguments[1]
-    return HAND if fact.predicate in ("holding", "lit") else ""
+    return HAND if fact.predicate in HELD else ""
 
 
 def _nested(text: str) -> list[Nested]:
@@ -184,19 +186,41 @@ def written(said: Nested) -> str:
 
 
 def grammar(vocabulary: Vocabulary) -> str:
-    """Return the GBNF of what may follow `(:goal (and`, up to its last parenthesis."""
-    conditions = " | ".join(
-        f'"({predicate} " {_spaced(PREDICATES[predicate])} ")"'
-        for predicate in vocabulary.predicates
+    """Return the GBNF of what may follow `(:goal (and`, up to its last parenthesis.
+
+    It is narrower than `read_goal`, for small models like to go on: one thing is put somewhere,
+    or put in a carrier that is, or held, as in all task types of REI-Bench; what else was done to
+    it may stand before and after, at most twice each.
+    """
+    sayable = vocabulary.predicates
+    treated, held = (
+        " | ".join(_condition(name) for name in names if name in sayable) or '""'
+        for names in (TREATMENTS, HELD)
     )
-    used = dict.fromkeys(role for name in vocabulary.predicates for role in PREDICATES[name])
-    rules = [f"{role} ::= {_alternatives(vocabulary.objects[role])}" for role in used]
-    more = '(" " condition)? ' * (MOST - 1)
-    return "\n".join((f'root ::= " " condition {more}"))"', f"condition ::= {conditions}", *rules))
+    some = '(" " treated)? (" " treated)?' if set(TREATMENTS) & set(sayable) else ""
+    used = dict.fromkeys(role for name in sayable for role in PREDICATES[name])
+    rules = (
+        'root ::= (placed | taken) "))"',
+        f'placed ::= {some} " " ({" | ".join(("put", *_carried(vocabulary)))}) {some}',
+        f'taken ::= {some} " " held',
+        f"put ::= {_condition('in')}",
+        f"treated ::= {treated}",
+        f"held ::= {held}",
+        *(f"{role} ::= {_alternatives(vocabulary.objects[role])}" for role in used),
+    )
+    return "\n".join(rules)
 
 
-def _spaced(roles: Sequence[Role]) -> str:
-    return ' " " '.join(roles)
+def _condition(predicate: str) -> str:
+    roles = ' " " '.join(PREDICATES[predicate])
+    return f'"({predicate} " {roles} ")"'
+
+
+def _carried(vocabulary: Vocabulary) -> Iterator[str]:
+    """Yield, for each thing that is a place too, what puts something in it and it somewhere."""
+    for name in vocabulary.objects["place"]:
+        if name in vocabulary.objects["thing"]:
+            yield f'"(in " thing " {name}) (in {name} " place ")"'
 
 
 def _alternatives(names: Iterable[str]) -> str:

@@ -57,7 +57,8 @@ def counted(records: pd.DataFrame) -> str:
     finished = records[records["status"].notna()]
     sizes = finished.groupby(["run", "level"]).size()
     each = f"{sizes.min()}" if sizes.min() == sizes.max() else f"{sizes.min()}--{sizes.max()}"
-    said = [f"{each} episodes in each cell." if len(sizes) else "No episode is finished."]
+    noun = "episode" if each == "1" else "episodes"
+    said = [f"{each} {noun} in each cell." if len(sizes) else "No episode is finished."]
     solved = finished[finished["status"] == "success"]
     if unsaid := int((solved["said_done"] == 0).sum()):
         said.append(f"Of {len(solved)} episodes that count as solved, {unsaid} were not said done.")

@@ -113,19 +113,20 @@ def _paired(compared: dict[str, Any] | None) -> Iterator[str]:
     if not compared:
         return
     shared = compared["success"]
+    if not shared["episodes"]:
+        yield f"  no episode is shared with run {compared['run']} ({compared['actor']})"
+        return
     yield (
         f"  against run {compared['run']} ({compared['actor']}), on {shared['episodes']} shared"
         f" episodes of {shared['tasks']} seed tasks"
     )
     for reading in ("success", "success_said_done"):
         result = compared[reading]
-        if result["episodes"]:
-            yield (
-                f"    {TITLES[reading]:<16} {points(result)}; only here {result['only_second']},"
-                f" only there {result['only_first']}, p = {result['p']:.3g}"
-            )
-    if shared["episodes"]:
-        yield "    (95 % bootstrap over seed tasks; exact McNemar, as if tasks' levels were apart)"
+        yield (
+            f"    {TITLES[reading]:<16} {points(result)}; only here {result['only_second']},"
+            f" only there {result['only_first']}, p = {result['p']:.3g}"
+        )
+    yield "    (95 % bootstrap over seed tasks; exact McNemar, as if tasks' levels were apart)"
 
 
 def points(result: Row) -> str:

@@ -132,15 +132,18 @@ class Store(DatabaseFile):
 
     def started(self, record_id: str, event: Event) -> None:
         """Note the scene the episode starts in."""
+        with self.writing() as database:
+            self._note_start(database, record_id, event)
+
+    def _note_start(self, database: Database, record_id: str, event: Event) -> None:
         text = codec.dump(codec.scene_to_json(event.scene))
         key = hashlib.sha256(text.encode()).hexdigest()[:16]
-        with self.writing() as database:
-            self.frames.keep(record_id, 0, event.frames)
-            database.execute("insert or ignore into scenes values (?, ?)", [key, text])
-            database.execute(
-                "update records set start_scene = ?, start_goals = ? where id = ?",
-                [key, codec.goals_to_json(event.goals), record_id],
-            )
+        self.frames.keep(record_id, 0, event.frames)
+        database.execute("insert or ignore into scenes values (?, ?)", [key, text])
+        database.execute(
+            "update records set start_scene = ?, start_goals = ? where id = ?",
+            [key, codec.goals_to_json(event.goals), record_id],
+        )
 
     def instructed(self, record_id: str, rollout: Rollout) -> None:
         """Note what the planner is told."""
@@ -152,44 +155,72 @@ class Store(DatabaseFile):
 
     def add_step(self, record_id: str, rollout: Rollout, step: Step) -> None:
         """Commit the rollout's step `step`; raises StoreUnavailable and keeps what was there."""
-        row = {"record": record_id, **step_row(rollout, step)}
-        names, marks = ", ".join(row), ", ".join("?" * len(row))
+        before = rollout.steps[step.number - 2] if step.number > 1 else None
+        row = step_row(step, before, rollout.first_event, rollout.instruction)
         with self.writing() as database:
-            self.frames.keep(record_id, step.number, step.event.frames)
-            database.execute(f"insert into steps ({names}) values ({marks})", list(row.values()))
-            database.execute("update records set steps = ? where id = ?", [step.number, record_id])
+            self._add_row(database, record_id, step, row)
+
+    def _add_row(
+        self, database: Database, record_id: str, step: Step, row: dict[str, object]
+    ) -> None:
+        row = {"record": record_id, **row}
+        names, marks = ", ".join(row), ", ".join("?" * len(row))
+        self.frames.keep(record_id, step.number, step.event.frames)
+        database.execute(f"insert into steps ({names}) values ({marks})", list(row.values()))
+        database.execute("update records set steps = ? where id = ?", [step.number, record_id])
 
     def finish(self, record_id: str, rollout: Rollout, actor: str, *, error: str = "") -> Record:
         """Close the record and return it."""
         record = rollout.record(record_id, actor, error=error)
-        kind, fault = error_kind(record), fault_kind(record)
         with self.writing() as database:
-            database.execute(
-                "update records set status = ?, error_kind = ?, fault = ?, said_done = ?,"
-                " error = ?, instruction = ?, closing = ?, finished = ? where id = ?",
-                [
-                    record.status,
-                    kind and str(kind),
-                    fault and str(fault),
-                    record.said_done,
-                    error,
-                    thoughts.instruction_to_json(record.instruction),
-                    thoughts.closing_to_json(record.closing),
-                    now(),
-                    record_id,
-                ],
-            )
+            self._close(database, record)
         return record
+
+    def _close(self, database: Database, record: Record) -> None:
+        kind, fault = error_kind(record), fault_kind(record)
+        database.execute(
+            "update records set status = ?, error_kind = ?, fault = ?, said_done = ?, error = ?,"
+            " instruction = ?, closing = ?, finished = ? where id = ?",
+            [
+                record.status,
+                kind and str(kind),
+                fault and str(fault),
+                record.said_done,
+                record.error,
+                thoughts.instruction_to_json(record.instruction),
+                thoughts.closing_to_json(record.closing),
+                now(),
+                record.id,
+            ],
+        )
+
+    def keep(self, record: Record) -> None:
+        """Write a record that was begun here and played elsewhere: all of it, or nothing."""
+        with self.writing() as database:
+            if record.start:
+                self._note_start(database, record.id, record.start)
+            before = None
+            for step in record.steps:
+                row = step_row(step, before, record.start, record.instruction)
+                self._add_row(database, record.id, step, row)
+                before = step
+            self._close(database, record)
 
     # reading
 
-    def finished(self, spec: RunSpec) -> set[str]:
-        """Return the ids of the episodes this run has finished."""
+    def finished(self, spec: RunSpec, *, but_errors: bool = False) -> set[str]:
+        """Return the ids of the episodes this run has finished, `but_errors` those that broke."""
+        outcomes = self.outcomes(spec).items()
+        return {name for name, status in outcomes if not (but_errors and status == "error")}
+
+    def outcomes(self, spec: RunSpec) -> dict[str, str]:
+        """Return the status of each episode this run has finished, by the episode's id."""
         rows = self.query(
-            "select episode from records where run = ? and origin = 'run' and status not null",
+            "select episode, status from records"
+            " where run = ? and origin = 'run' and status not null",
             [spec.id],
         )
-        return {row["episode"] for row in rows}
+        return {row["episode"]: row["status"] for row in rows}
 
     def entries(self, where: str = "1", parameters: Iterable[object] = ()) -> list[Entry]:
         """Return the records that fit a condition over their columns, oldest first."""

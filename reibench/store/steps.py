@@ -5,8 +5,9 @@ import zlib
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+from reibench.methods import Instruction
 from reibench.planners import Decision
-from reibench.rollout import Rollout, Step
+from reibench.rollout import Step
 from reibench.scene import Scene
 from reibench.skill import parse_skill
 from reibench.store import codec, thoughts
@@ -14,11 +15,20 @@ from reibench.store.schema import now
 from reibench.worlds import Event
 
 
-def step_row(rollout: Rollout, step: Step) -> dict[str, object]:
-    """Return the columns of a rollout's step, but for its record."""
-    before = rollout.steps[step.number - 2] if step.number > 1 else None
-    scene = before.event.scene if before else _scene_at_start(rollout)
-    told = rollout.instruction
+def step_row(
+    step: Step, before: Step | None, start: Event | None, told: Instruction | None
+) -> dict[str, object]:
+    """Return the columns of a step, but for its record.
+
+    Args:
+        step: the one to store.
+        before: the step before it; None for the first.
+        start: the event of the reset.
+        told: what the planner was told, if it was.
+    """
+    if start is None:
+        raise RuntimeError("an episode that was not started has no step to store")
+    scene = before.event.scene if before else start.scene
     earlier = before.decision.prompt if before else (told.prompt if told else "")
     prompt = step.decision.prompt
     kept = _common(earlier, prompt)
@@ -62,12 +72,6 @@ def steps_of(rows: Iterable[Mapping[str, Any]], scene: Scene, prompt: str) -> li
         event = Event(bool(row["success"]), row["message"], scene, goals)
         steps.append(Step(row["number"], decision, event, row["seconds"]))
     return steps
-
-
-def _scene_at_start(rollout: Rollout) -> Scene:
-    if rollout.first_event is None:
-        raise RuntimeError("a rollout that was not started has no step to store")
-    return rollout.first_event.scene
 
 
 def _common(first: str, second: str) -> int:

@@ -2,9 +2,10 @@
 
 import pytest
 
-pytestmark = pytest.mark.usefixtures("two_runs")
+from tests.report.conftest import NONE, TOCC
 
 
+@pytest.mark.usefixtures("two_runs")
 def test_the_text_says_both_readings_the_finer_kinds_and_the_costs(score):
     lines = score("--runs", "").splitlines()
     assert "  success             9 of 18   50.0%  [29.0%, 71.0%]" in lines
@@ -20,18 +21,28 @@ def test_the_text_says_both_readings_the_finer_kinds_and_the_costs(score):
     assert any("of that restating, an episode: 40 in (30 evaluated), 8.0 out" in x for x in lines)
 
 
+@pytest.mark.usefixtures("two_runs")
 def test_the_text_compares_runs_with_an_interval(score):
     text = score()
     assert "success          +33.3 points [+33.3, +33.3]; only here 6, only there 0" in text
     assert "… and said done  +16.7 points [+0.0, +33.3]; only here 3, only there 0" in text
 
 
+def test_runs_that_share_no_episode_are_said_to(store, play, score):
+    play(store, NONE, {"pick_keys.mixed-short": ["done"]})
+    play(store, TOCC, {"pick_keys.mixed-noised": ["Do it.", "done"]})
+    shared = f"  no episode is shared with run {NONE.id} (saycan+none/scripted:toy)"
+    assert score().splitlines()[-1] == shared
+
+
+@pytest.mark.usefixtures("two_runs")
 def test_markdown_tables_have_as_many_cells_in_every_row(score):
     for table in score("--markdown", "--against", "paper").strip().split("\n\n"):
         widths = {line.count("|") for line in table.splitlines()}
         assert len(widths) == 1, table
 
 
+@pytest.mark.usefixtures("two_runs")
 def test_markdown_shows_solved_of_played_and_the_second_reading(score):
     lines = score("--markdown").splitlines()
     assert lines[0] == "| level | saycan+none/scripted:toy | saycan+tocc/scripted:toy |"
@@ -40,6 +51,7 @@ def test_markdown_shows_solved_of_played_and_the_second_reading(score):
     assert "| – wrong object | 3 | 0 |" in lines
 
 
+@pytest.mark.usefixtures("two_runs")
 def test_underdetermined_episodes_are_also_left_out_of_one_row(store, score):
     with store.writing() as database:
         database.execute("update records set underdetermined = 1 where level = 'implicit-short'")
@@ -50,6 +62,7 @@ def test_underdetermined_episodes_are_also_left_out_of_one_row(store, score):
     ]
 
 
+@pytest.mark.usefixtures("two_runs")
 def test_a_grouping_that_pools_runs_names_what_they_share(score):
     assert score("--by", "planner").startswith(
         "planner saycan  ·  strict rules, 12 steps, 2 runs together"

@@ -1,6 +1,5 @@
 """Timing worlds: skill steps a second by room size and over AI2-THOR's wires, and memory."""
 
-import json
 import random
 import subprocess
 import sys
@@ -113,7 +112,7 @@ def share_that_works(run: Course) -> float:
 
 def memory_of_worlds(count: int) -> float:
     """Return the megabytes that a fresh process with `count` started worlds occupies."""
-    code = f"from reibench.bench import hold_worlds; print(hold_worlds({count}))"
+    code = f"from reibench.bench.worlds import hold_worlds; print(hold_worlds({count}))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     return float(done.stdout)
 
@@ -242,7 +241,3 @@ def _worlds(room: Room) -> Iterator[dict[str, World]]:
                 # Frames are made and sent; writing them as PNG is the page's business.
                 worlds[way] = ThorWorld(simulator, STRICT)
         yield worlds
-
-
-if __name__ == "__main__":
-    sys.stdout.write(json.dumps(bench_world()) + "\n")

@@ -1,6 +1,6 @@
 import pytest
 
-from reibench.bench import (
+from reibench.bench.worlds import (
     RoomSimulator,
     course,
     memory_of_worlds,
