@@ -20,20 +20,35 @@ def check_conditions(graph: Graph, setback: Setback) -> None:
         UnusableGraph: for a sub-task that would find the hand empty, or full, or the thing not
             found yet, and for a graph that does not open what was said to be closed.
     """
-    _check_opened(graph, setback.failed)
-    done = list(setback.done)
+    problems = [*_not_opened(graph, setback.failed)]
+    done, before = list(setback.done), None
     while node := graph.next():
         problem = _unmet(node.skill, done)
+        if node.skill.verb is Verb.FIND and node.skill == before:
+            problem = "the robot is there already"
         if problem:
-            raise UnusableGraph(f"Sub-task {node.id}, {node.skill}, cannot work: {problem}.")
+            problems.append(f"Sub-task {node.id}, {node.skill}, cannot work: {problem}.")
+            break
         done.append(node.skill)
+        before = node.skill
         graph = graph.marked(node.id, "done")
+    if problems:
+        raise UnusableGraph(" ".join(problems))
 
 
-def _check_opened(graph: Graph, failed: Attempt) -> None:
+def _not_opened(graph: Graph, failed: Attempt) -> Iterator[str]:
+    """Yield what was said to be closed and is not opened, if anything."""
     shut = SHUT.search(failed.failure)
     if shut and graph.nodes and f"open the {shut[1]}" not in map(str, graph.skills("pending")):
-        raise UnusableGraph(f"The {shut[1]} is closed; it has to open the {shut[1]} before.")
+        yield f"The {shut[1]} is closed; it has to open the {shut[1]} first."
+
+
+def situation_after(done: Sequence[Skill]) -> str:
+    """Return in words what the robot holds and where it is after skills that worked."""
+    held = holding(done)
+    at = next((each.object for each in reversed(done) if each.verb is Verb.FIND), "")
+    place = f"is at the {in_words(at)}" if at else "has gone nowhere yet"
+    return f"the robot {place} and holds {f'the {in_words(held)}' if held else 'nothing'}"
 
 
 def _unmet(skill: Skill, done: Sequence[Skill]) -> str:

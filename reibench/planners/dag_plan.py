@@ -20,7 +20,7 @@ from reibench.planners.attempts import (
     setbacks,
     with_shut_place,
 )
-from reibench.planners.checking import check_conditions, mended
+from reibench.planners.checking import check_conditions, mended, situation_after
 from reibench.planners.examples import Example, fixed_set, nearest
 from reibench.planners.graph import Graph, UnusableGraph, grammar, graph_of, read_graph
 from reibench.planners.notebook import Notebook
@@ -108,17 +108,18 @@ class GraphWriter:
 
     def first(self) -> Graph:
         """Return the graph for the whole task; without sub-tasks if the model fails to write it."""
-        return self._written(GRAPH, None)
+        return self._written(None)
 
     def remaining(self, setback: Setback) -> Graph:
         """Return the graph of what remains after a failure, which may be nothing."""
-        return self._written(situation(setback), setback)
+        return self._written(setback)
 
-    def _written(self, question: str, setback: Setback | None) -> Graph:
+    def _written(self, setback: Setback | None) -> Graph:
+        situation, heading = (told_of(setback), REMAINING) if setback else ("", GRAPH)
         minded = ""
         allowed = grammar(self._skills, least=0 if setback else 1)
         for _ in range(ASKED_AGAIN + 1):
-            text = f"{self._prefix}{self._task}{minded}{question}"
+            text = f"{self._prefix}{self._task}{situation}{minded}{heading}"
             prompt = Prompt(text, fixed=len(self._prefix))
             answer = self._notebook.generate(
                 prompt, "Graph as written", most=LONGEST, stop=STOPS, grammar=allowed
@@ -144,13 +145,14 @@ class GraphWriter:
         return whole
 
 
-def situation(setback: Setback) -> str:
+def told_of(setback: Setback) -> str:
     """Return what the model is told after a failure."""
     done = ", ".join(skill.text for skill in setback.done) or "nothing"
     expected = ", ".join(skill.text for skill in setback.expected)
     failed = setback.failed
     return (
-        f"Done: {done}\nFailed: {failed.skill} ({failed.failure})\nPlanned: {expected}\n{REMAINING}"
+        f"Done: {done}\nFailed: {failed.skill} ({failed.failure})\nPlanned: {expected}\n"
+        f"Now: {situation_after(setback.done)}\n"
     )
 
 
@@ -174,7 +176,7 @@ def _solved(example: Example, *, minding: bool) -> str:
     text = f"{task}{_minded(graph) if minding else ''}{GRAPH}{graph.written()}{DONE}\n"
     for setback, remaining in setbacks(tried):
         graph = graph_of(remaining)
-        text += f"\n{task}{situation(setback)}{graph.written()}{DONE}\n"
+        text += f"\n{task}{told_of(setback)}{REMAINING}{graph.written()}{DONE}\n"
     return text
 
 
