@@ -13,14 +13,21 @@ SHUT = re.compile(r"^(?:.* in )?the ([\w ]+?)(?:, which)? is closed$")
 KNIVES = ("Knife", "ButterKnife")
 
 
-def check_conditions(graph: Graph, setback: Setback) -> None:
+def check_conditions(graph: Graph, setback: Setback, absent: Sequence[str] = ()) -> None:
     """Go through `graph` in its order, from the situation after `setback`.
 
     Raises:
         UnusableGraph: for a sub-task that would find the hand empty, or full, or the thing not
-            found yet, and for a graph that does not open what was said to be closed.
+            found yet, for what was said to be closed and is not opened, and for what was said to
+            be `absent`.
     """
-    problems = [*_not_opened(graph, setback.failed)]
+    wanted = [in_words(skill.object) for skill in graph.skills("pending")]
+    problems = [
+        f"There is no {name} in this room; what is meant must be called otherwise."
+        for name in absent
+        if name in wanted
+    ]
+    problems += _not_opened(graph, setback.failed)
     done, before = list(setback.done), None
     while node := graph.next():
         problem = _unmet(node.skill, done)

@@ -23,6 +23,7 @@ from reibench.planners.attempts import (
 from reibench.planners.checking import check_conditions, mended, situation_after
 from reibench.planners.examples import Example, fixed_set, nearest
 from reibench.planners.graph import Graph, UnusableGraph, grammar, graph_of, read_graph
+from reibench.planners.memory import said_absent
 from reibench.planners.notebook import Notebook
 from reibench.planners.telling import PENDING, told
 from reibench.skill import DONE, Skill
@@ -105,6 +106,7 @@ class GraphWriter:
         self._prefix = prefix
         self._task = task
         self._skills = skills
+        self._absent: list[str] = []
 
     def first(self) -> Graph:
         """Return the graph for the whole task; without sub-tasks if the model fails to write it."""
@@ -112,6 +114,7 @@ class GraphWriter:
 
     def remaining(self, setback: Setback) -> Graph:
         """Return the graph of what remains after a failure, which may be nothing."""
+        self._absent += said_absent(setback.failed.failure)
         return self._written(setback)
 
     def _written(self, setback: Setback | None) -> Graph:
@@ -137,7 +140,7 @@ class GraphWriter:
         if not graph.nodes and not setback:
             raise UnusableGraph("There is no sub-task; they read like '1: find a mug'.")
         whole = mended(graph)
-        check_conditions(whole, setback or OUTSET)
+        check_conditions(whole, setback or OUTSET, self._absent)
         for node in whole.nodes:
             if node.added:
                 after = ", ".join(map(str, node.added))

@@ -56,7 +56,6 @@ def test_dependencies_decide_the_order_not_the_lines(asked, played):
     ("wrong", "complaint"),
     [
         ("1: find an apple after 2\n2: find a fridge after 1\n", "in a circle: 1 → 2 → 1"),
-        ("1: find an apple after 1\n", "in a circle: 1 → 1"),
         ("1: find an apple after 7\n", "Sub-task 1 is after 7, but there is no sub-task 7"),
         ("1: find an apple\n1: find a fridge\n", "Two sub-tasks have the number 1"),
         ("1: grab apple\n", "Sub-task 1, 'grab apple', is nothing the robot can do"),
@@ -116,6 +115,15 @@ def test_after_a_failure_the_model_is_told_what_was_done_what_failed_and_why(ask
     )
     assert [node["state"] for node in graph(decisions[4]).values()] == ["now", "pending"]
     assert [node["state"] for node in graph(closing).values()] == ["done", "done"]
+
+
+def test_what_was_said_not_to_be_there_is_not_looked_for_again(asked, played):
+    absent = "there is no apple in this room"
+    tomato = "1: find a tomato after 1\n2: pick up the tomato after 1\n"
+    backend = ScriptedBackend([FETCH, FETCH, tomato])
+    decisions, _ = played(DagPlan(backend), asked, [("find an apple", absent)])
+    assert "Mind: There is no apple in this room; what is meant" in backend.prompts[2].text
+    assert skills(decisions)[1:] == ["find a tomato", "pick up the tomato"]
 
 
 def test_nothing_may_remain_after_a_failure(asked, played):
