@@ -61,7 +61,9 @@ def situation_after(done: Sequence[Skill]) -> str:
 def _unmet(skill: Skill, done: Sequence[Skill]) -> str:
     """Return what `skill` would lack after the skills `done`; empty if nothing is known."""
     thing, held = in_words(skill.object), holding(done)
-    if skill.verb is Verb.PUT_DOWN and held != skill.object:
+    if skill.verb is Verb.PUT_DOWN and held and held != skill.object:
+        return f"the robot holds the {in_words(held)} then; it has to put down that"
+    if skill.verb is Verb.PUT_DOWN and not held:
         return (
             f"the robot does not hold the {thing} then; it has to find the {thing} and pick up the"
             f" {thing} before"

@@ -119,7 +119,7 @@ class GraphWriter:
 
     def _written(self, setback: Setback | None) -> Graph:
         situation, heading = (told_of(setback), REMAINING) if setback else ("", GRAPH)
-        minded = ""
+        minded, doubtful = "", Graph(())
         allowed = grammar(self._skills, least=0 if setback else 1)
         for _ in range(ASKED_AGAIN + 1):
             text = f"{self._prefix}{self._task}{situation}{minded}{heading}"
@@ -128,19 +128,24 @@ class GraphWriter:
                 prompt, "Graph as written", most=LONGEST, stop=STOPS, grammar=allowed
             )
             try:
-                return self._usable(answer, setback)
+                doubtful = self._read(answer, setback)
+                check_conditions(doubtful, setback or OUTSET, self._absent)
+                return doubtful
             except UnusableGraph as problem:
                 self._notebook.note("Graph refused", str(problem))
                 minded += complaint(problem)
-        self._notebook.note("Given up", f"{ASKED_AGAIN + 1} graphs in a row were refused.")
-        return Graph(())
+        refused = f"{ASKED_AGAIN + 1} graphs in a row were refused"
+        if doubtful.nodes:
+            self._notebook.note("Tried all the same", f"{refused}; the room may tell why.")
+        else:
+            self._notebook.note("Given up", f"{refused}.")
+        return doubtful
 
-    def _usable(self, answer: str, setback: Setback | None) -> Graph:
+    def _read(self, answer: str, setback: Setback | None) -> Graph:
         graph = read_graph(answer, self._skills)
         if not graph.nodes and not setback:
             raise UnusableGraph("There is no sub-task; they read like '1: find a mug'.")
         whole = mended(graph)
-        check_conditions(whole, setback or OUTSET, self._absent)
         for node in whole.nodes:
             if node.added:
                 after = ", ".join(map(str, node.added))

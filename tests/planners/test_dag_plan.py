@@ -62,6 +62,7 @@ def test_dependencies_decide_the_order_not_the_lines(asked, played):
         ("1: find an appel\n", "did you mean 'find an apple'?"),
         ("1: find a fridge\n2: put down the apple\n", "it has to find the apple and pick up the"),
         (f"{FETCH}3: pick up the apple after 2\n", "the robot holds the apple then"),
+        (f"{FETCH}3: put down the mug after 2\n", "the apple then; it has to put down that"),
         ("1: pick up the apple\n", "the robot is not near the apple then; it has to find"),
         (
             "1: find an apple\n2: find an apple\n",
@@ -90,6 +91,14 @@ def test_rubbish_without_end_is_given_up_with_a_reason(asked, played):
     assert len(backend.prompts) == ASKED_AGAIN + 1
     assert notes(closing)["Given up"] == "3 graphs in a row were refused."
     assert closing.prompt == backend.prompts[-1].text
+
+
+def test_a_graph_that_can_be_read_is_tried_at_last_and_the_room_tells_why_it_fails(asked, played):
+    backend = ScriptedBackend([*["1: pick up the apple\ndone"] * (ASKED_AGAIN + 1), FETCH])
+    decisions, _ = played(DagPlan(backend), asked, [("pick up the apple", "find it first")])
+    assert "3 graphs in a row were refused" in notes(decisions[0])["Tried all the same"]
+    assert skills(decisions) == ["pick up the apple", "find an apple", "pick up the apple"]
+    assert "Failed: pick up the apple (find it first)" in backend.prompts[-1].text
 
 
 def test_dependencies_the_skills_imply_are_added_and_said(asked, played):
