@@ -13,33 +13,57 @@ SHUT = re.compile(r"^(?:.* in )?the ([\w ]+?)(?:, which)? is closed$")
 KNIVES = ("Knife", "ButterKnife")
 
 
-def check_conditions(graph: Graph, setback: Setback) -> None:
+def check_conditions(graph: Graph, setback: Setback, absent: Sequence[str] = ()) -> None:
     """Go through `graph` in its order, from the situation after `setback`.
 
     Raises:
         UnusableGraph: for a sub-task that would find the hand empty, or full, or the thing not
-            found yet, and for a graph that does not open what was said to be closed.
+            found yet, for what was said to be closed and is not opened, and for what was said to
+            be `absent`.
     """
-    _check_opened(graph, setback.failed)
-    done = list(setback.done)
+    wanted = [in_words(skill.object) for skill in graph.skills("pending")]
+    problems = [
+        f"There is no {name} in this room; what is meant must be called otherwise."
+        for name in absent
+        if name in wanted
+    ]
+    problems += _not_opened(graph, setback.failed)
+    done, before = list(setback.done), None
     while node := graph.next():
         problem = _unmet(node.skill, done)
+        if node.skill.verb is Verb.FIND and node.skill == before:
+            problem = "the robot is there already"
         if problem:
-            raise UnusableGraph(f"Sub-task {node.id}, {node.skill}, cannot work: {problem}.")
+            problems.append(f"Sub-task {node.id}, {node.skill}, cannot work: {problem}.")
+            break
         done.append(node.skill)
+        before = node.skill
         graph = graph.marked(node.id, "done")
+    if problems:
+        raise UnusableGraph(" ".join(problems))
 
 
-def _check_opened(graph: Graph, failed: Attempt) -> None:
+def _not_opened(graph: Graph, failed: Attempt) -> Iterator[str]:
+    """Yield what was said to be closed and is not opened, if anything."""
     shut = SHUT.search(failed.failure)
     if shut and graph.nodes and f"open the {shut[1]}" not in map(str, graph.skills("pending")):
-        raise UnusableGraph(f"The {shut[1]} is closed; it has to open the {shut[1]} before.")
+        yield f"The {shut[1]} is closed; it has to open the {shut[1]} first."
+
+
+def situation_after(done: Sequence[Skill]) -> str:
+    """Return in words what the robot holds and where it is after skills that worked."""
+    held = holding(done)
+    at = next((each.object for each in reversed(done) if each.verb is Verb.FIND), "")
+    place = f"is at the {in_words(at)}" if at else "has gone nowhere yet"
+    return f"the robot {place} and holds {f'the {in_words(held)}' if held else 'nothing'}"
 
 
 def _unmet(skill: Skill, done: Sequence[Skill]) -> str:
     """Return what `skill` would lack after the skills `done`; empty if nothing is known."""
     thing, held = in_words(skill.object), holding(done)
-    if skill.verb is Verb.PUT_DOWN and held != skill.object:
+    if skill.verb is Verb.PUT_DOWN and held and held != skill.object:
+        return f"the robot holds the {in_words(held)} then; it has to put down that"
+    if skill.verb is Verb.PUT_DOWN and not held:
         return (
             f"the robot does not hold the {thing} then; it has to find the {thing} and pick up the"
             f" {thing} before"

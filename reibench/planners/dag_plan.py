@@ -20,9 +20,10 @@ from reibench.planners.attempts import (
     setbacks,
     with_shut_place,
 )
-from reibench.planners.checking import check_conditions, mended
+from reibench.planners.checking import check_conditions, mended, situation_after
 from reibench.planners.examples import Example, fixed_set, nearest
 from reibench.planners.graph import Graph, UnusableGraph, grammar, graph_of, read_graph
+from reibench.planners.memory import said_absent
 from reibench.planners.notebook import Notebook
 from reibench.planners.telling import PENDING, told
 from reibench.skill import DONE, Skill
@@ -105,38 +106,46 @@ class GraphWriter:
         self._prefix = prefix
         self._task = task
         self._skills = skills
+        self._absent: list[str] = []
 
     def first(self) -> Graph:
         """Return the graph for the whole task; without sub-tasks if the model fails to write it."""
-        return self._written(GRAPH, None)
+        return self._written(None)
 
     def remaining(self, setback: Setback) -> Graph:
         """Return the graph of what remains after a failure, which may be nothing."""
-        return self._written(situation(setback), setback)
+        self._absent += said_absent(setback.failed.failure)
+        return self._written(setback)
 
-    def _written(self, question: str, setback: Setback | None) -> Graph:
-        minded = ""
+    def _written(self, setback: Setback | None) -> Graph:
+        situation, heading = (told_of(setback), REMAINING) if setback else ("", GRAPH)
+        minded, doubtful = "", Graph(())
         allowed = grammar(self._skills, least=0 if setback else 1)
         for _ in range(ASKED_AGAIN + 1):
-            text = f"{self._prefix}{self._task}{minded}{question}"
+            text = f"{self._prefix}{self._task}{situation}{minded}{heading}"
             prompt = Prompt(text, fixed=len(self._prefix))
             answer = self._notebook.generate(
                 prompt, "Graph as written", most=LONGEST, stop=STOPS, grammar=allowed
             )
             try:
-                return self._usable(answer, setback)
+                doubtful = self._read(answer, setback)
+                check_conditions(doubtful, setback or OUTSET, self._absent)
+                return doubtful
             except UnusableGraph as problem:
                 self._notebook.note("Graph refused", str(problem))
                 minded += complaint(problem)
-        self._notebook.note("Given up", f"{ASKED_AGAIN + 1} graphs in a row were refused.")
-        return Graph(())
+        refused = f"{ASKED_AGAIN + 1} graphs in a row were refused"
+        if doubtful.nodes:
+            self._notebook.note("Tried all the same", f"{refused}; the room may tell why.")
+        else:
+            self._notebook.note("Given up", f"{refused}.")
+        return doubtful
 
-    def _usable(self, answer: str, setback: Setback | None) -> Graph:
+    def _read(self, answer: str, setback: Setback | None) -> Graph:
         graph = read_graph(answer, self._skills)
         if not graph.nodes and not setback:
             raise UnusableGraph("There is no sub-task; they read like '1: find a mug'.")
         whole = mended(graph)
-        check_conditions(whole, setback or OUTSET)
         for node in whole.nodes:
             if node.added:
                 after = ", ".join(map(str, node.added))
@@ -144,13 +153,14 @@ class GraphWriter:
         return whole
 
 
-def situation(setback: Setback) -> str:
+def told_of(setback: Setback) -> str:
     """Return what the model is told after a failure."""
     done = ", ".join(skill.text for skill in setback.done) or "nothing"
     expected = ", ".join(skill.text for skill in setback.expected)
     failed = setback.failed
     return (
-        f"Done: {done}\nFailed: {failed.skill} ({failed.failure})\nPlanned: {expected}\n{REMAINING}"
+        f"Done: {done}\nFailed: {failed.skill} ({failed.failure})\nPlanned: {expected}\n"
+        f"Now: {situation_after(setback.done)}\n"
     )
 
 
@@ -174,7 +184,7 @@ def _solved(example: Example, *, minding: bool) -> str:
     text = f"{task}{_minded(graph) if minding else ''}{GRAPH}{graph.written()}{DONE}\n"
     for setback, remaining in setbacks(tried):
         graph = graph_of(remaining)
-        text += f"\n{task}{situation(setback)}{graph.written()}{DONE}\n"
+        text += f"\n{task}{told_of(setback)}{REMAINING}{graph.written()}{DONE}\n"
     return text
 
 

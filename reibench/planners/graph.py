@@ -128,7 +128,9 @@ def _node(node_id: int, text: str, known: dict[str, Skill]) -> Node:
         near = get_close_matches(_bare(words), known, n=1)
         hint = f"; did you mean {known[near[0]].text!r}?" if near else "."
         raise UnusableGraph(f"Sub-task {node_id}, {words!r}, is nothing the robot can do{hint}")
-    return Node(node_id, skill, tuple(dict.fromkeys(map(int, re.findall(r"\d{1,6}", after)))))
+    before = dict.fromkeys(map(int, re.findall(r"\d{1,6}", after)))
+    before.pop(node_id, None)  # after itself: means nothing, and small models write it often
+    return Node(node_id, skill, tuple(before))
 
 
 def _check_ids(graph: Graph) -> None:

@@ -4,6 +4,7 @@ Entries are written and read by rules, from skills, whether they worked, and the
 """
 
 import re
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from reibench.skill import Skill, Verb, in_words
@@ -95,12 +96,18 @@ class MemoryBank:
                 _remove(self.opened, where)
         if found := SHUT.match(message):
             _remove(self.opened, found[1])
-        if found := ABSENT.match(message):
-            _add(self.absent, _spoken(found[1] or found[2]))
+        for name in said_absent(message):
+            _add(self.absent, name)
         if found := HOLDING.search(message):
             self.holding = _spoken(found[1] or found[2])
         elif "not holding any" in message:
             self.holding = ""
+
+
+def said_absent(message: str) -> Iterator[str]:
+    """Yield the name, in words, of what feedback says is not in the room, if it says so."""
+    if found := ABSENT.match(message):
+        yield _spoken(found[1] or found[2])
 
 
 def _add(names: list[str], name: str) -> None:

@@ -149,7 +149,7 @@ REST = "1: open the microwave\\n2: put down the potato after 1\\ndone"
 
 def test_a_planner_s_graph_is_seen_as_it_grows_and_why_a_step_was_taken(visit, tmp_path):
     script = tmp_path / "graphs.txt"
-    script.write_text(f"1: find a potato after 1\n{GRAPH}\n{REST}\n")
+    script.write_text(f"1: find a potato after 2\\n2: find a mug after 1\n{GRAPH}\n{REST}\n")
     with serving.app(tmp_path / "demo.db", model=f"scripted:{script}") as address:
         demo = visit(f"?episode={EPISODE}&actor=model&planner=dag-plan", address=address)
         page = demo.page
@@ -158,7 +158,7 @@ def test_a_planner_s_graph_is_seen_as_it_grows_and_why_a_step_was_taken(visit, t
         expect(page.locator(".act .verdict")).to_be_visible(timeout=60_000)
         expect(page.locator(".made .graph .node.done")).to_have_count(2)
         page.locator(".thoughts summary").first.click()
-        expect(page.locator(".thoughts").first).to_contain_text("in a circle: 1 → 1")
+        expect(page.locator(".thoughts").first).to_contain_text("in a circle: 1 → 2 → 1")
         page.reload()
         demo.settled()
         expect(page.locator(".made .graph .node.done")).to_have_count(2)

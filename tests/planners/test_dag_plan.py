@@ -56,14 +56,18 @@ def test_dependencies_decide_the_order_not_the_lines(asked, played):
     ("wrong", "complaint"),
     [
         ("1: find an apple after 2\n2: find a fridge after 1\n", "in a circle: 1 → 2 → 1"),
-        ("1: find an apple after 1\n", "in a circle: 1 → 1"),
         ("1: find an apple after 7\n", "Sub-task 1 is after 7, but there is no sub-task 7"),
         ("1: find an apple\n1: find a fridge\n", "Two sub-tasks have the number 1"),
         ("1: grab apple\n", "Sub-task 1, 'grab apple', is nothing the robot can do"),
         ("1: find an appel\n", "did you mean 'find an apple'?"),
         ("1: find a fridge\n2: put down the apple\n", "it has to find the apple and pick up the"),
         (f"{FETCH}3: pick up the apple after 2\n", "the robot holds the apple then"),
+        (f"{FETCH}3: put down the mug after 2\n", "the apple then; it has to put down that"),
         ("1: pick up the apple\n", "the robot is not near the apple then; it has to find"),
+        (
+            "1: find an apple\n2: find an apple\n",
+            "Sub-task 2, find an apple, cannot work: the robot is",
+        ),
         ("1: find an apple\n2: slice the apple\n", "the robot holds no knife then"),
         ("I cannot help with that.", "There is no sub-task"),
         ("", "There is no sub-task"),
@@ -89,6 +93,14 @@ def test_rubbish_without_end_is_given_up_with_a_reason(asked, played):
     assert closing.prompt == backend.prompts[-1].text
 
 
+def test_a_graph_that_can_be_read_is_tried_at_last_and_the_room_tells_why_it_fails(asked, played):
+    backend = ScriptedBackend([*["1: pick up the apple\ndone"] * (ASKED_AGAIN + 1), FETCH])
+    decisions, _ = played(DagPlan(backend), asked, [("pick up the apple", "find it first")])
+    assert "3 graphs in a row were refused" in notes(decisions[0])["Tried all the same"]
+    assert skills(decisions) == ["pick up the apple", "find an apple", "pick up the apple"]
+    assert "Failed: pick up the apple (find it first)" in backend.prompts[-1].text
+
+
 def test_dependencies_the_skills_imply_are_added_and_said(asked, played):
     loose = "1: find an apple\n2: pick up the apple\n3: find a fridge\n4: put down the apple\n"
     [first, *_], _ = played(DagPlan(ScriptedBackend([loose])), asked)
@@ -107,10 +119,20 @@ def test_after_a_failure_the_model_is_told_what_was_done_what_failed_and_why(ask
     assert backend.prompts[1].text.endswith(
         "Done: find an apple, pick up the apple, find a fridge\n"
         "Failed: put down the apple (the fridge is closed)\n"
-        "Planned: put down the apple\nGraph of what remains:\n"
+        "Planned: put down the apple\n"
+        "Now: the robot is at the fridge and holds the apple\nGraph of what remains:\n"
     )
     assert [node["state"] for node in graph(decisions[4]).values()] == ["now", "pending"]
     assert [node["state"] for node in graph(closing).values()] == ["done", "done"]
+
+
+def test_what_was_said_not_to_be_there_is_not_looked_for_again(asked, played):
+    absent = "there is no apple in this room"
+    tomato = "1: find a tomato after 1\n2: pick up the tomato after 1\n"
+    backend = ScriptedBackend([FETCH, FETCH, tomato])
+    decisions, _ = played(DagPlan(backend), asked, [("find an apple", absent)])
+    assert "Mind: There is no apple in this room; what is meant" in backend.prompts[2].text
+    assert skills(decisions)[1:] == ["find a tomato", "pick up the tomato"]
 
 
 def test_nothing_may_remain_after_a_failure(asked, played):
@@ -163,7 +185,10 @@ def test_what_was_said_to_be_closed_has_to_be_opened(asked, played):
     again = "1: find a fridge\n2: put down the apple after 1\ndone"
     backend = ScriptedBackend([shut, again, "1: open the fridge\n2: put down the apple\n"])
     decisions, _ = played(DagPlan(backend), asked, [("put down the apple", CLOSED)])
-    assert "Mind: The fridge is closed; it has to open the fridge" in backend.prompts[2].text
+    assert (
+        "Mind: The fridge is closed; it has to open the fridge first.\nGraph of"
+        in backend.prompts[2].text
+    )
     assert skills(decisions)[-2:] == ["open the fridge", "put down the apple"]
 
 
@@ -194,7 +219,8 @@ def test_the_graphs_of_all_examples_pass_their_own_checks(played):
 
 def test_a_graph_in_which_everything_depends_on_everything_is_checked_at_once(asked, played):
     lines = [
-        f"{n}: find an apple" + (f" after {', '.join(map(str, range(1, n)))}" if n > 1 else "")
+        f"{n}: find {'an apple' if n % 2 else 'a mug'}"
+        + (f" after {', '.join(map(str, range(1, n)))}" if n > 1 else "")
         for n in range(1, 31)
     ]
     decisions, _ = played(DagPlan(ScriptedBackend(["\n".join(lines)])), asked)
