@@ -8,6 +8,8 @@ from pathlib import Path
 import pytest
 
 from reibench.__main__ import main
+from reibench.backends import Backend
+from reibench.backends.opening import open_backend
 from reibench.backends.scripted import ScriptedBackend
 from reibench.dataset.files import shipped_episodes
 from reibench.dataset.sample import select
@@ -86,6 +88,14 @@ def solution(episodes) -> tuple[str, ...]:
     rollout.start()
     told = Instruction(text="", original="")
     return tuple(s.decision.skill.text for s in drive(rollout, Expert(task.goal), told))
+
+
+@pytest.fixture(scope="session")
+def gemma() -> Iterator[Backend]:
+    """Open one small real model for all tests that need one."""
+    opened = open_backend("llama-cpp:gemma-3-270m")
+    yield opened
+    opened.close()
 
 
 @pytest.fixture(scope="session")

@@ -6,7 +6,7 @@ import platform
 import subprocess
 import sys
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise, takewhile
 from pathlib import Path
 from statistics import median
@@ -30,15 +30,6 @@ LEVEL = "mixed-standard"
 STEPS = 6
 """Steps played of each."""
 RESTARTS = 3
-THEIRS = (
-    "guidance_seconds_per_step",
-    "guidance_processor_seconds_per_step",
-    "ratio",
-    "processor_ratio",
-    "guidance_tokens_evaluated_per_step",
-    "same_choices",
-)
-"""What is known only where the published way is measured too."""
 
 
 @dataclass(frozen=True)
@@ -50,8 +41,10 @@ class Asked:
     seconds: float
     processor_seconds: float
     """Seconds of processor time, all threads together: other processes count less in it."""
-    published: Chosen | None = None
+    kept: Chosen | None = None
     """What the published selection made of the same prompt, right after."""
+    afresh: Chosen | None = None
+    """The same with nothing kept; as it takes long, only at one step of an episode."""
 
     @property
     def evaluated(self) -> int:
@@ -78,9 +71,14 @@ class Timed:
         started, used = perf_counter(), process_time()
         selection = self._model.choose(prompt, options)
         seconds, used = perf_counter() - started, process_time() - used
-        text = selection.prompt
-        other = self._published.choose(text, options) if self._published else None
-        self.asked.append(Asked(prompt, selection, seconds, used, other))
+        asked = Asked(prompt, selection, seconds, used)
+        if self._published:
+            kept = self._published.choose(selection.prompt, options)
+            asked = replace(asked, kept=kept)
+        if self._published and len(self.asked) == 1:
+            afresh = self._published.choose_afresh(selection.prompt, options)
+            asked = replace(asked, afresh=afresh)
+        self.asked.append(asked)
         return selection
 
     def close(self) -> None:
@@ -172,7 +170,7 @@ def bench_planner(
         opened = perf_counter() - began
         [first] = play(model, [0], steps)
         starts = [restart(name, threads, cache, 1) for _ in range(restarts)]
-        published = None if lacking else load(path, threads)
+        published = None if lacking else load(name, threads)
         if published:
             next(play(model, [0], 1, published))  # its first episode is not counted either
         warm = [one for each in play(model, warm_numbers, steps, published) for one in each]
@@ -205,25 +203,45 @@ def bench_planner(
 
 def _beside(warm: Sequence[Asked], lacking: str) -> dict[str, object]:
     """Return what warm steps cost, ours and the published way's on the same prompts."""
-    cost = {
-        "warm_seconds_per_step": median(one.seconds for one in warm),
-        "warm_processor_seconds_per_step": median(one.processor_seconds for one in warm),
+    ours = [(one.seconds, one.processor_seconds) for one in warm]
+    afresh = [other for one in warm if (other := one.afresh)]
+    kept = [other for one in warm if (other := one.kept)]
+    same = sum(one.kept.text == one.selection.text for one in warm if one.kept)
+    return {
+        "warm_seconds_per_step": round(median(seconds for seconds, _ in ours), 4),
+        "warm_processor_seconds_per_step": round(median(used for _, used in ours), 4),
+        **_their("guidance", "ratio", afresh, ours),
+        **_their("guidance_mended", "ratio_mended", kept, ours),
+        "guidance_same_choices": same if kept else None,
+        "guidance": lacking or versions(),
     }
-    ours = {name: round(value, 4) for name, value in cost.items()}
-    pairs = [(one, one.published) for one in warm if one.published]
-    if not pairs:
-        return ours | dict.fromkeys(THEIRS) | {"guidance": lacking}
-    seconds = median(other.seconds for _, other in pairs)
-    used = median(other.processor_seconds for _, other in pairs)
-    theirs = (
-        round(seconds, 4),
-        round(used, 4),
-        round(seconds / cost["warm_seconds_per_step"], 2),
-        round(used / cost["warm_processor_seconds_per_step"], 2),
-        _mean([other.evaluated for _, other in pairs]),
-        sum(one.selection.text == other.text for one, other in pairs),
+
+
+def _their(
+    name: str, ratio: str, theirs: Sequence[Chosen], ours: Sequence[tuple[float, float]]
+) -> dict[str, object]:
+    """Return the figures of one published way, null where it was not measured."""
+    names = (
+        f"{name}_seconds_per_step",
+        ratio,
+        f"{name}_processor_seconds_per_step",
+        f"{ratio}_of_processor_seconds",
+        f"{name}_tokens_evaluated_per_step",
+        f"{name}_steps_measured",
     )
-    return ours | dict(zip(THEIRS, theirs, strict=True)) | {"guidance": versions()}
+    if not theirs:
+        return dict.fromkeys(names)
+    seconds = median(one.seconds for one in theirs)
+    used = median(one.processor_seconds for one in theirs)
+    values = (
+        round(seconds, 4),
+        round(seconds / median(seconds for seconds, _ in ours), 2),
+        round(used, 4),
+        round(used / median(used for _, used in ours), 2),
+        _mean([one.evaluated for one in theirs]),
+        len(theirs),
+    )
+    return dict(zip(names, values, strict=True))
 
 
 def _mean(numbers: Sequence[float]) -> float:

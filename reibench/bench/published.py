@@ -4,9 +4,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib.metadata import version
 from importlib.util import find_spec
-from pathlib import Path
 from time import perf_counter, process_time
 from typing import Any
+
+from reibench.backends.transformers.loading import load as load_checkpoint
+from reibench.backends.transformers.source import parse_source
 
 NEEDED = ("guidance", "gguf", "torch", "transformers")
 
@@ -42,9 +44,9 @@ class Chosen:
 class Rewinding:
     """A transformers model as guidance calls it, whose evaluated tokens can be taken back.
 
-    guidance 0.3.1 tells a cache how many tokens to keep, transformers 5 expects how many to
-    remove, and windowed layers remove none at all; so each new prompt would be an error. The state
-    given here keeps all tokens in all layers, which attend to the same ones as ever.
+    As they come, guidance 0.3.1 fails at the second prompt: it tells a state how many tokens to
+    keep, transformers 5 expects how many to remove, and a windowed layer that is full removes none
+    at all. The state given here keeps all tokens in all layers, which attend to the same as ever.
     """
 
     def __init__(self, model: Any) -> None:
@@ -62,39 +64,46 @@ class Rewinding:
 
 
 class Published:
-    """A loop over `guidance.select`, which keeps the last prompt evaluated."""
+    """A loop over `guidance.select`."""
 
     def __init__(self, model: Any, tokenizer: Any) -> None:
         """Ask a transformers model; `load` gives both."""
-        from guidance import models
-
-        self._model = Rewinding(model)
-        as_model: Any = self._model
-        self._start = models.Transformers(as_model, tokenizer, echo=False, enable_monitoring=False)
+        self._model, self._tokenizer = model, tokenizer
+        self._kept = self._opened()
 
     def choose(self, text: str, options: Sequence[str]) -> Chosen:
-        """Return the option that guidance selects after `text`."""
-        from guidance import select
+        """Return the option selected after `text`, what the last prompt shares with it kept."""
+        return _select(*self._kept, text, options)
 
-        before, started, used = self._model.evaluated, perf_counter(), process_time()
-        answer = self._start + text + select(list(options), name="step")
-        chosen: str = answer["step"]
-        seconds, used = perf_counter() - started, process_time() - used
-        return Chosen(chosen, seconds, used, self._model.evaluated - before)
+    def choose_afresh(self, text: str, options: Sequence[str]) -> Chosen:
+        """Return the option selected after `text`, nothing kept; opening is not counted."""
+        return _select(*self._opened(), text, options)
+
+    def _opened(self) -> tuple[Rewinding, Any]:
+        from guidance import models
+
+        model: Any = Rewinding(self._model)
+        tokenizer = self._tokenizer
+        return model, models.Transformers(model, tokenizer, echo=False, enable_monitoring=False)
 
 
-def load(path: Path, threads: int) -> Published:
-    """Load the GGUF file `path`, which is taken out of its quantisation: a minute or so."""
+def _select(model: Rewinding, start: Any, text: str, options: Sequence[str]) -> Chosen:
+    from guidance import select
+
+    before, started, used = model.evaluated, perf_counter(), process_time()
+    answer = start + text + select(list(options), name="step")
+    chosen: str = answer["step"]
+    seconds, used = perf_counter() - started, process_time() - used
+    return Chosen(chosen, seconds, used, model.evaluated - before)
+
+
+def load(name: str, threads: int) -> Published:
+    """Load a model of the shelf, taken out of its quantisation: a minute or so."""
     import torch
-    import transformers
 
     torch.set_num_threads(threads)
-    library: Any = transformers
-    library.utils.logging.disable_progress_bar()
-    where: Any = {"pretrained_model_name_or_path": path.parent, "gguf_file": path.name}
-    tokenizer = library.AutoTokenizer.from_pretrained(**where)
-    model = library.AutoModelForCausalLM.from_pretrained(**where, dtype=torch.float32)
-    return Published(model.eval(), tokenizer)
+    loaded = load_checkpoint(parse_source(f"{name}?device=cpu&dtype=float32"))
+    return Published(loaded.model, loaded.tokenizer)
 
 
 def _state_by_length() -> Any:

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from reibench.planners.examples import Example
+from reibench.planners.examples import Example, examples
 from reibench.skill import Skill, Verb, parse_skill
 
 STEP = re.compile(r"([^,(]+?)(?: \(this action failed: ([^)]*)\))?(?:, |$)")
@@ -37,6 +37,21 @@ def attempts(example: Example) -> tuple[Attempt, ...]:
     """Return the steps of an example's plan."""
     found = STEP.findall(example.plan)
     return tuple(Attempt(parse_skill(text), failure) for text, failure in found)
+
+
+def with_shut_place(shown: Sequence[Example]) -> tuple[Example, ...]:
+    """Return `shown`, after an example of a place that is shut if none of them has one.
+
+    What fails at the end of a plan is mended otherwise than what fails at its beginning.
+    """
+    if not any(" put down " in one.plan for one in shown) or any(map(_finds_shut, shown)):
+        return tuple(shown)
+    return (next(filter(_finds_shut, examples())), *shown)
+
+
+def _finds_shut(example: Example) -> bool:
+    """Whether something cannot be put down because the place for it is closed."""
+    return any(each.failure and each.skill.verb is Verb.PUT_DOWN for each in attempts(example))
 
 
 def foreseen(tried: Sequence[Attempt]) -> tuple[Skill, ...]:

@@ -11,7 +11,15 @@ from reibench.artefact import Artefact
 from reibench.backends import Backend, Prompt
 from reibench.methods import Instruction
 from reibench.planners import Decision, Plan, planners
-from reibench.planners.attempts import OUTSET, Attempt, Setback, attempts, foreseen, setbacks
+from reibench.planners.attempts import (
+    OUTSET,
+    Attempt,
+    Setback,
+    attempts,
+    foreseen,
+    setbacks,
+    with_shut_place,
+)
 from reibench.planners.checking import check_conditions, mended
 from reibench.planners.examples import Example, fixed_set, nearest
 from reibench.planners.graph import Graph, UnusableGraph, grammar, graph_of, read_graph
@@ -153,7 +161,8 @@ def complaint(problem: UnusableGraph) -> str:
 
 def introduction(examples: Sequence[Example]) -> str:
     """Return what the prompt begins with, the same for every instruction of a kind."""
-    solved = (_solved(one, minding=number % 2 == 1) for number, one in enumerate(examples))
+    shown = with_shut_place(examples)
+    solved = (_solved(one, minding=number % 2 == 1) for number, one in enumerate(shown))
     return "\n".join((HEADER, *solved, ""))
 
 

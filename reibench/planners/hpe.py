@@ -12,11 +12,11 @@ from reibench.artefact import Artefact
 from reibench.backends import Backend, Prompt
 from reibench.methods import Instruction
 from reibench.planners import Decision, Plan, planners
-from reibench.planners.attempts import attempts
+from reibench.planners.attempts import attempts, with_shut_place
 from reibench.planners.examples import Example, fixed_set, nearest
 from reibench.planners.memory import MemoryBank
 from reibench.planners.notebook import Notebook
-from reibench.planners.subgoals import grammar, read_subgoals, stretches
+from reibench.planners.subgoals import read_subgoals, stretches
 from reibench.planners.telling import PENDING, told
 from reibench.skill import DONE, Skill, parse_skill
 from reibench.worlds import Event
@@ -90,7 +90,6 @@ class Execution:
                 "Sub-goals as written",
                 most=LONGEST,
                 stop=("\n",),
-                grammar=grammar(self._skills),
             )
             self._subgoals = read_subgoals(answer)
             if self._subgoals:
@@ -156,7 +155,7 @@ def step(skill: Skill, failure: str) -> str:
 
 def introduction(examples: Sequence[Example]) -> str:
     """Return what the prompt begins with, the same for every instruction of a kind."""
-    return "\n".join((HEADER, *map(_solved, examples), ""))
+    return "\n".join((HEADER, *map(_solved, with_shut_place(examples)), ""))
 
 
 def _solved(example: Example) -> str:

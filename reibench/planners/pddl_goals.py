@@ -188,8 +188,9 @@ def written(said: Nested) -> str:
 def grammar(vocabulary: Vocabulary) -> str:
     """Return the GBNF of what may follow `(:goal (and`, up to its last parenthesis.
 
-    What was done to a thing may be said anywhere, at most twice in a row; then things are put
-    somewhere, or one is held: both at once cannot be.
+    It is narrower than `read_goal`, for small models like to go on: one thing is put somewhere,
+    or put in a carrier that is, or held, as in all task types of REI-Bench; what else was done to
+    it may stand before and after, at most twice each.
     """
     sayable = vocabulary.predicates
     treated, held = (
@@ -200,7 +201,7 @@ def grammar(vocabulary: Vocabulary) -> str:
     used = dict.fromkeys(role for name in sayable for role in PREDICATES[name])
     rules = (
         'root ::= (placed | taken) "))"',
-        f'placed ::= {some} " " put {some} (" " put {some})?',
+        f'placed ::= {some} " " ({" | ".join(("put", *_carried(vocabulary)))}) {some}',
         f'taken ::= {some} " " held',
         f"put ::= {_condition('in')}",
         f"treated ::= {treated}",
@@ -213,6 +214,13 @@ def grammar(vocabulary: Vocabulary) -> str:
 def _condition(predicate: str) -> str:
     roles = ' " " '.join(PREDICATES[predicate])
     return f'"({predicate} " {roles} ")"'
+
+
+def _carried(vocabulary: Vocabulary) -> Iterator[str]:
+    """Yield, for each thing that is a place too, what puts something in it and it somewhere."""
+    for name in vocabulary.objects["place"]:
+        if name in vocabulary.objects["thing"]:
+            yield f'"(in " thing " {name}) (in {name} " place ")"'
 
 
 def _alternatives(names: Iterable[str]) -> str:

@@ -1,13 +1,12 @@
 """Sub-goals: how they are written and read, and those of the example plans."""
 
-import json
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from reibench.episode import TaskType
 from reibench.planners.attempts import Attempt
-from reibench.skill import OBJECTS_OF, RECEPTACLES, Skill, Verb, in_words
+from reibench.skill import Skill, Verb, in_words
 
 MOST_SUBGOALS = 8
 TREATING = {
@@ -19,16 +18,10 @@ SEPARATOR = re.compile(r"[;\n]")
 NUMBER = re.compile(r"^\W*(?:\d+\s*[.:)]?\s*)?")
 
 
-FORMS = (
-    ("get the", Verb.PICK_UP, ""),
-    ("put the", Verb.PICK_UP, " in or on the {place}"),
-    ("heat the", Verb.PICK_UP, " in the microwave"),
-    ("cool the", Verb.PICK_UP, " in the fridge"),
-    ("wash the", Verb.PICK_UP, " in the sink"),
-    ("slice the", Verb.SLICE, ""),
-    ("turn on the", Verb.TURN_ON, ""),
+HOLLOW = frozenset(
+    "bathtub bowl box cabinet cup drawer fridge microwave mug pan pot safe sink".split()
 )
-"""What sub-goals read like, and which verb says what they may be about."""
+"""What things are put into, not onto."""
 
 
 @dataclass(frozen=True)
@@ -44,36 +37,6 @@ def read_subgoals(answer: str) -> tuple[str, ...]:
     parts = (NUMBER.sub("", part).strip(" .,") for part in SEPARATOR.split(answer))
     worded = [part for part in parts if re.search(r"[^\W\d_]{2}", part)]
     return tuple(worded[:MOST_SUBGOALS])
-
-
-def grammar(skills: Sequence[Skill]) -> str:
-    """Return a GBNF grammar of one line of sub-goals about what `skills` can be done to."""
-    things = {verb: _names(skills, verb, OBJECTS_OF[verb]) for _, verb, _ in FORMS}
-    forms = [
-        f'"{beginning} " {verb.name.lower().replace("_", "-")}{_ending(ending)}'
-        for beginning, verb, ending in FORMS
-        if things[verb]
-    ]
-    rules = [f"{verb.name.lower().replace('_', '-')} ::= {names}" for verb, names in things.items()]
-    return "\n".join(
-        (
-            f'root ::= " " goal ("; " goal){{0,{MOST_SUBGOALS - 1}}} "\\n"',
-            f"goal ::= {' | '.join(forms)}",
-            f"place ::= {_names(skills, Verb.FIND, RECEPTACLES)}",
-            *(rule for rule in rules if not rule.endswith("::= ")),
-        )
-    )
-
-
-def _names(skills: Sequence[Skill], verb: Verb, names: Sequence[str]) -> str:
-    known = [skill.object for skill in skills if skill.verb is verb and skill.object in names]
-    return " | ".join(json.dumps(in_words(name)) for name in known)
-
-
-def _ending(ending: str) -> str:
-    """Return the end of a form as a grammar writes it."""
-    before, place, _ = ending.partition("{place}")
-    return (f" {json.dumps(before)}" if before else "") + (" place" if place else "")
 
 
 def stretches(task_type: TaskType, tried: Sequence[Attempt]) -> Iterator[Stretch]:
@@ -111,7 +74,9 @@ def _reached(task_type: TaskType, begun: Sequence[Attempt], following: Sequence[
         form = TREATING[task_type] if treated else "get the {thing}"
         return form.format(thing=thing, place=_place(begun))
     if verb is Verb.PUT_DOWN and not _treated(begun, following):
-        return f"put the {thing} in or on the {_place(begun)}"
+        place = _place(begun)
+        preposition = "in" if place in HOLLOW else "on"
+        return f"put the {thing} {preposition} the {place}"
     return ""
 
 

@@ -46,3 +46,10 @@ def test_after_another_prompt_it_selects_the_same_again(tiny):
     first = tiny.choose(PROMPT, OPTIONS)
     tiny.choose(f"{PROMPT[:10]} anything else:", OPTIONS)
     assert tiny.choose(PROMPT, OPTIONS).text == first.text
+
+
+def test_nothing_is_kept_where_that_is_asked_for(tiny):
+    kept = tiny.choose(PROMPT, OPTIONS)
+    afresh = tiny.choose_afresh(PROMPT, OPTIONS)
+    assert afresh.text == kept.text
+    assert afresh.evaluated >= len(PROMPT)
