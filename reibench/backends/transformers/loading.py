@@ -43,9 +43,12 @@ def load(source: Source) -> Loaded:
     where, arguments = _where(source)
     started = perf_counter()
     try:
-        config = transformers.AutoConfig.from_pretrained(where, **arguments)
+        quantized = None
+        if not source.file:  # reading a GGUF file takes long, and its weights are unpacked anyway
+            config = transformers.AutoConfig.from_pretrained(where, **arguments)
+            quantized = getattr(config, "quantization_config", None)
         tokenizer = transformers.AutoTokenizer.from_pretrained(where, **arguments)
-        arguments |= _how(source, device, getattr(config, "quantization_config", None))
+        arguments |= _how(source, device, quantized)
         model = transformers.AutoModelForCausalLM.from_pretrained(where, **arguments)
         if source.quantization == "none":
             model.to(device)
