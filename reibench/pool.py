@@ -8,6 +8,8 @@ from time import monotonic
 from typing import Generic, TypeVar
 
 T = TypeVar("T")
+SWEEP = "pool-sweep"
+"""What the thread is called that waits for things to be idle long enough."""
 JUST_LENT = 2.0
 """Seconds in which who was lent something has not locked it yet, but will."""
 
@@ -85,7 +87,7 @@ class Pool(Generic[T]):
         if self._idle is not None and not self._sweeping and self._leases:
             self._sweeping = True
             timer = threading.Timer(self._idle / 2, self._sweep)
-            timer.daemon = True
+            timer.daemon, timer.name = True, SWEEP
             timer.start()
 
     def _sweep(self) -> None:

@@ -12,7 +12,7 @@ def open_backend(name: str) -> Backend:
         UnknownName: when there is no such kind, or no such model.
         ModelUnavailable: when its file is missing or broken, or it cannot be reached.
     """
-    kind, _, source = full_name(name).partition(":")
+    kind, _, source = (name if name in backends.names() else full_name(name)).partition(":")
     factory = backends.get(kind)
     if not source:
         raise UnknownName(

@@ -130,10 +130,11 @@ class GraphWriter:
             try:
                 doubtful = self._read(answer, setback)
                 check_conditions(doubtful, setback or OUTSET, self._absent)
-                return doubtful
             except UnusableGraph as problem:
                 self._notebook.note("Graph refused", str(problem))
                 minded += complaint(problem)
+            else:
+                return doubtful
         refused = f"{ASKED_AGAIN + 1} graphs in a row were refused"
         if doubtful.nodes:
             self._notebook.note("Tried all the same", f"{refused}; the room may tell why.")

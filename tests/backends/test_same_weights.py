@@ -5,6 +5,7 @@ from itertools import islice
 
 import pytest
 
+from reibench import models
 from reibench.backends import Backend, Prompt
 from reibench.backends.opening import open_backend
 from reibench.backends.scripted import ScriptedBackend
@@ -14,6 +15,7 @@ from reibench.planners.saycan import SayCan
 from reibench.rollout import Rollout, drive
 from reibench.skill import DONE, SKILLS
 from reibench.worlds import worlds
+from tests.backends.unquantized import unquantized
 
 OPTIONS = [*(f" {skill}" for skill in SKILLS), f" {DONE}"]
 STEPS = 200
@@ -45,13 +47,42 @@ def asked(episode) -> list[Prompt]:
     return script.prompts
 
 
-def test_they_choose_the_same_skill_in_real_prompts(gemma, hf, episodes):
+@pytest.fixture(scope="module")
+def prompts(episodes) -> list[Prompt]:
     apart = list(episodes.values())[:: len(episodes) // 40]
-    prompts = list(islice((prompt for each in apart for prompt in asked(each)), STEPS))
-    assert len(prompts) == STEPS
-    chosen = [(gemma.choose(p, OPTIONS).text, hf.choose(p, OPTIONS).text) for p in prompts]
-    assert len({one for one, _ in chosen}) > 10  # not the same answer to everything
-    assert sum(one == other for one, other in chosen) >= 0.95 * STEPS
+    found = list(islice((prompt for each in apart for prompt in asked(each)), STEPS))
+    assert len(found) == STEPS
+    return found
+
+
+@pytest.fixture(scope="module")
+def through_hf(hf, prompts) -> list[str]:
+    chosen = [hf.choose(prompt, OPTIONS).text for prompt in prompts]
+    assert len(set(chosen)) > 10  # not the same answer to everything
+    return chosen
+
+
+def test_with_the_same_weights_they_choose_the_same_skill(through_hf, prompts, tmp_path):
+    path = unquantized(models.path_of("gemma-3-270m"), tmp_path / "gemma.gguf")
+    llama = open_backend(f"llama-cpp:{path}")
+    chosen = [llama.choose(prompt, OPTIONS).text for prompt in prompts]
+    llama.close()
+    same = sum(one == other for one, other in zip(through_hf, chosen, strict=True))
+    assert same >= 0.95 * STEPS
+
+
+def test_with_packed_weights_they_part_only_where_two_skills_are_nearly_even(
+    gemma, through_hf, prompts
+):
+    """Packed, llama.cpp computes in eight bits, so a close call may fall out the other way."""
+    apart = 0
+    for prompt, other in zip(prompts, through_hf, strict=True):
+        selection = gemma.choose(prompt, OPTIONS)
+        if selection.text != other:
+            apart += 1
+            probable = {each.text: each.probability for each in selection.alternatives}
+            assert probable[other] > 0.5 * probable[selection.text]
+    assert apart <= 0.15 * STEPS
 
 
 def test_each_of_the_skills_is_chosen_when_the_text_calls_for_it(backend):

@@ -8,6 +8,7 @@ from uuid import uuid4
 
 import pytest
 
+from reibench.pool import SWEEP
 from reibench.worlds import World
 from reibench.worlds.naming import create_world
 
@@ -74,7 +75,12 @@ def left_behind(running, tmp_path_factory, monkeypatch) -> Callable[[], list[obj
         limit = time.monotonic() + 2
         while running() and time.monotonic() < limit:
             time.sleep(0.02)  # A killed process that has lost its parent takes a moment to go.
-        more = [thread for thread in threading.enumerate() if thread not in threads]
+        more = [
+            thread
+            for thread in threading.enumerate()
+            # pages that other tests opened sweep their pools now and then
+            if thread not in threads and thread.name != SWEEP
+        ]
         return [*running(), *more, *folder.iterdir(), *(_open_files() - files)]
 
     return look
