@@ -1,6 +1,9 @@
 """A backend that answers from a list: the language model of tests and recorded demonstrations."""
 
-from collections.abc import Iterable, Sequence
+import re
+import tomllib
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import cycle
 from pathlib import Path
 
 from reibench.backends import Alternative, Backend, Generation, Prompt, Selection, backends
@@ -49,15 +52,65 @@ class ScriptedBackend:
         return answer
 
 
+class RuleScript(ScriptedBackend):
+    """Answer by rules: the first whose pattern is in the prompt, with its answers over and over.
+
+    So one script serves any planner and method over any number of episodes.
+    """
+
+    def __init__(self, rules: Mapping[str, Sequence[str]], *, name: str = "scripted:rules") -> None:
+        """Take `rules`: regular expressions searched in prompts, each with its answers in turn."""
+        super().__init__((), name=name)
+        self._rules = [(re.compile(asked), cycle(answers)) for asked, answers in rules.items()]
+
+    def choose(self, prompt: Prompt, options: Sequence[str]) -> Selection:
+        """Return the option the answer names; the answer `#1` is the first option, and so on."""
+        answer = self._next(prompt)
+        if number := re.fullmatch(r"#(\d+)", answer):
+            answer = options[min(int(number[1]), len(options)) - 1]
+        return ScriptedBackend([answer], name=self.name).choose(prompt, options)
+
+    def _next(self, prompt: Prompt) -> str:
+        text = prompt.text + prompt.begun
+        for asked, answers in self._rules:
+            if asked.search(text):
+                return next(answers)
+        raise ReibenchError(
+            f"No rule of {self.name!r} is for a prompt that ends with {text[-60:]!r}; a last rule"
+            ' with asked = "" takes what no other does.'
+        )
+
+
 @backends.register("scripted")
 def open_script(source: str) -> Backend:
-    r"""Open the script in the file `source`: one answer a line, `\n` for a new line within it."""
+    r"""Open the script in the file `source`.
+
+    A text file has one answer a line, `\n` for a new line within it. A file ending in .toml has
+    tables `[[rule]]` with `asked`, a regular expression, and `answers`, a list.
+    """
     try:
-        lines = Path(source).read_text(encoding="utf-8").splitlines()
+        written = Path(source).read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as error:
         raise ModelUnavailable(
             f"The script {source} cannot be read ({error}); it should be a text file with one"
             " answer a line."
         ) from error
-    answers = [line.replace("\\n", "\n") for line in lines if line.strip()]
+    if source.lower().endswith(".toml"):
+        return RuleScript(_rules(source, written), name=f"scripted:{source}")
+    answers = [line.replace("\\n", "\n") for line in written.splitlines() if line.strip()]
     return ScriptedBackend(answers, name=f"scripted:{source}")
+
+
+def _rules(source: str, written: str) -> dict[str, list[str]]:
+    try:
+        entries = tomllib.loads(written)["rule"]
+        rules = {entry["asked"]: [str(answer) for answer in entry["answers"]] for entry in entries}
+        usable = all(rules.values()) and all(re.compile(asked) for asked in rules)
+    except (tomllib.TOMLDecodeError, KeyError, TypeError, re.error) as error:
+        raise ModelUnavailable(
+            f"The script {source} is not one of rules ({error}); it should have tables [[rule]],"
+            " each with asked = 'a regular expression' and answers = ['…']."
+        ) from error
+    if not usable:
+        raise ModelUnavailable(f"A rule of {source} has no answers; give it at least one.")
+    return rules

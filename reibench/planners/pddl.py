@@ -38,12 +38,17 @@ def solve(problem: str, *, seconds: float = SECONDS) -> tuple[Action, ...]:
     """Return a plan for `problem`, the PDDL text of a problem in the household domain.
 
     Fast Downward runs in a process of its own, needs no network, prints nothing and leaves no
-    files.
+    files. What was solved lately is not solved again: many episodes ask the same of a room.
 
     Raises:
         InvalidGoal: when nothing reaches the goal, or nothing was found in `seconds`.
         ReibenchError: when Fast Downward does not run here.
     """
+    return _solved(problem, seconds)
+
+
+@lru_cache(maxsize=256)
+def _solved(problem: str, seconds: float) -> tuple[Action, ...]:
     from unified_planning.io import PDDLReader  # heavy: only when a plan is wanted
 
     with _READING:  # the reader keeps what it knows in one place for all threads

@@ -40,3 +40,47 @@ def test_a_line_of_a_file_can_hold_an_answer_of_several_lines(tmp_path):
     (tmp_path / "plan.txt").write_text("1: find a mug\\n2: find a cup\ndone\n")
     script = open_backend(f"scripted:{tmp_path / 'plan.txt'}")
     assert script.generate(Prompt("")).text == "1: find a mug\n2: find a cup"
+
+
+@pytest.fixture
+def ruled(tmp_path):
+    def write(rules):
+        (tmp_path / "rules.toml").write_text(rules)
+        return open_backend(f"scripted:{tmp_path / 'rules.toml'}")
+
+    return write
+
+
+def test_a_script_of_rules_answers_by_the_first_that_is_for_the_prompt_over_and_over(ruled):
+    script = ruled("""
+[[rule]]
+asked = 'Graph:$'
+answers = ["1: find a mug"]
+[[rule]]
+asked = ''
+answers = ["find a cup", "#2"]
+""")
+    assert script.generate(Prompt("Graph:")).text == "1: find a mug"
+    options = [" find a cup", " done"]
+    chosen = [script.choose(Prompt("Robot:"), options).text for _ in range(3)]
+    assert chosen == [" find a cup", " done", " find a cup"]
+
+
+def test_a_prompt_that_no_rule_is_for_is_named(ruled):
+    script = ruled("[[rule]]\nasked = 'Graph:$'\nanswers = ['1: find a mug']\n")
+    with pytest.raises(ReibenchError, match=r"ends with 'Robot:'; a last rule"):
+        script.generate(Prompt("Robot:"))
+
+
+@pytest.mark.parametrize(
+    "rules",
+    ["rule = 3", "[[rule]]\nasked = '('\nanswers = ['a']", "[[rule]]\nanswers = ['a']", "[["],
+)
+def test_a_file_that_holds_no_rules_says_how_they_look(ruled, rules):
+    with pytest.raises(ModelUnavailable, match=r"should have tables \[\[rule\]\]"):
+        ruled(rules)
+
+
+def test_a_rule_without_answers_is_refused(ruled):
+    with pytest.raises(ModelUnavailable, match="has no answers"):
+        ruled("[[rule]]\nasked = ''\nanswers = []")
