@@ -37,9 +37,9 @@ def omitted(record: Record) -> tuple[str, ...]:
     goal = record.episode.task.goal
     found = set(identified(record))
     if goal.task_type is TaskType.EXAMINE and goal.destination not in found:
-        # A lamp that was on already, or that stands lit in view, needs no turning on.
-        last = record.steps[-1].event if record.steps else record.start
-        if last and any(c.name == "lit" and c.holds for c in last.goals):
+        # A lamp that stood lit in view at some time needs no turning on.
+        events = (record.start, *(step.event for step in record.steps))
+        if any(c.name == "lit" and c.holds for event in events if event for c in event.goals):
             found.add(goal.destination)
     return tuple(name for name in goal.objects if name not in found)
 

@@ -3,6 +3,7 @@
 import pytest
 
 from reibench.faults import FaultKind, fault_kind
+from reibench.verdict import ErrorKind, error_kind
 
 FETCHED = ("find a potato", "pick up the potato")
 HEATED = (
@@ -93,3 +94,12 @@ def test_failing_once_to_take_the_right_thing_is_a_missing_step(fault):
 def test_an_episode_that_broke_has_no_fault(click, episode):
     record = click(episode).record("r", "person", error="ModelUnavailable: gone")
     assert fault_kind(record) is None
+
+
+def test_a_lamp_found_lit_is_not_omitted_even_if_it_is_left_behind(shipped, click):
+    [episode] = [each for each in shipped if each.id == "examine_remotecontrol_2.mixed-noised"]
+    rollout = click(
+        episode, "find a desk lamp", "find a remote control", "pick up the remote control"
+    )
+    rollout.finish()
+    assert error_kind(rollout.record("r", "person")) is ErrorKind.EXECUTION
