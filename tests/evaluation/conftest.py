@@ -2,6 +2,7 @@
 
 import json
 import os
+import signal
 import subprocess
 import sys
 import time
@@ -37,6 +38,8 @@ class Run:
         self.process = subprocess.Popen(
             self._command, cwd=ROOT, env=self.environment, stderr=subprocess.PIPE,
             stdout=subprocess.PIPE, text=True, start_new_session=True,
+            # where the tests themselves run in the background, Ctrl-C would be ignored
+            preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
         )  # fmt: skip
         return self.process.stderr
 

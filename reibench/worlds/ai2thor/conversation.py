@@ -6,8 +6,10 @@ ended with everything it has made.
 """
 
 import atexit
+import subprocess
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor, wait
+from contextlib import suppress
 from time import monotonic
 from typing import TYPE_CHECKING, TypeVar
 
@@ -19,6 +21,8 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 LOOK_EVERY = 0.05
 """Seconds between two looks at whether the process still lives, while it is waited for."""
+ENDS_WITHIN = 0.5
+"""Seconds for a process to have ended once the client says that the connection broke."""
 UNBLOCKED_WITHIN = 5.0
 """Seconds for the client's thread to give up once the process has been killed."""
 
@@ -81,8 +85,12 @@ class Conversation:
     def _broken(self, doing: str, problem: BaseException, seconds: float) -> WorldBroken:
         """End the conversation and say why."""
         process = self._client.process
-        status = process.poll() if process else None
         client_failed = self._working is not None and self._working.done()
+        if process and client_failed:
+            # A process that is killed lets its pipes go a moment before it has ended.
+            with suppress(subprocess.TimeoutExpired):
+                process.wait(ENDS_WITHIN)
+        status = process.poll() if process else None
         self.end()
         if status is not None:
             return WorldBroken(f"Unity ended by itself during {doing} (exit status {status}).")
