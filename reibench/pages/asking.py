@@ -5,8 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from reibench.methods import methods
-from reibench.view.topbar import ACTORS, Actor, offered_planners
+from reibench.view.topbar import ACTORS, Actor, offered_methods, offered_planners
 
 _TOKEN_LENGTH = 22
 DEFAULT_PLANNER = "saycan"
@@ -64,7 +63,7 @@ class Ask:
             planner=next(
                 (p for p in offered_planners() if p == data.get("planner")), DEFAULT_PLANNER
             ),
-            method=next((m for m in methods.names() if m == data.get("method")), DEFAULT_METHOD),
+            method=next((m for m in offered_methods() if m == data.get("method")), DEFAULT_METHOD),
             solution=data.get("solution") is True,
             as_actor=actor_called(data.get("as")),
             kind=_word(data.get("kind")),

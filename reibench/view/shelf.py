@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from reibench.methods import methods
 from reibench.models import Shelved, in_megabytes
 from reibench.view.markup import classes, element, number, text
-from reibench.view.topbar import offered_planners, planner_summary, planner_title
+from reibench.view.topbar import offered_methods, offered_planners, planner_summary, planner_title
 
 
 @dataclass(frozen=True)
@@ -75,7 +75,7 @@ def _planners(chosen: str) -> list[str]:
 
 def _methods(chosen: str) -> list[str]:
     """Return all prompting methods with what they do, as one choice."""
-    known = {name: methods.create(name) for name in methods.names()}
+    known = {name: methods.create(name) for name in offered_methods()}
     return [
         _choice("method", name, method.title, method.summary, chosen)
         for name, method in known.items()

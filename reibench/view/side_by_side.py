@@ -198,7 +198,7 @@ def _lane(
     heading = element(
         "h2",
         element("i", class_=f"key {colour}"),
-        text(title),
+        element("span", text(title), class_="words"),
         element("span", class_="grow"),
         element("span", count, class_="muted small num"),
     )

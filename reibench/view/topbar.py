@@ -260,6 +260,11 @@ def method_title(name: str) -> str:
     return methods.create(name).title
 
 
+def offered_methods() -> list[str]:
+    """Return the names of the methods a model can be watched with; without one it is anyway."""
+    return [name for name in methods.names() if name != "none"]
+
+
 def offered_planners() -> list[str]:
     """Return the names of the planners that ask a model."""
     return [name for name in planners.names() if needs_model(name)]

@@ -7,7 +7,7 @@ from reibench.models import overview
 from reibench.view.catalogue import Catalogue
 from reibench.view.markup import text
 from reibench.view.shelf import Fetching, shelf
-from reibench.view.topbar import ModelStatus, room_name, topbar
+from reibench.view.topbar import ModelStatus, offered_methods, room_name, topbar
 
 
 def test_changing_the_level_keeps_the_task(episodes):
@@ -68,9 +68,9 @@ def test_the_shelf_says_what_is_here_and_what_it_takes_to_get_the_rest(tags):
 def test_the_menu_explains_every_method_and_the_bar_names_the_chosen_one(episodes, rooms, tags):
     markup = shelf(overview(), chosen="gemma-3-270m", planner="saycan", method="gated-ap")
     radios = {each["value"]: each for each in tags(markup, "input") if each.get("name") == "method"}
-    assert sorted(radios) == methods.names()
+    assert sorted(radios) == offered_methods()
     assert [name for name, each in radios.items() if "checked" in each] == ["gated-ap"]
-    for name in methods.names():
+    for name in offered_methods():
         assert text(methods.create(name).summary) in markup
     catalogue = Catalogue.of(episodes.values())
     scene = rooms[catalogue.first.task.setup.room]
