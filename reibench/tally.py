@@ -11,6 +11,7 @@ from reibench.dialogue import Vagueness
 from reibench.faults import fault_kind
 from reibench.store import Store
 from reibench.store.thoughts import usage_from_json
+from reibench.verdict import error_kind
 
 SETTINGS = ("world", "rules", "max_steps", "seed", "code")
 """What a run's spec says beside planner, method and model."""
@@ -49,18 +50,20 @@ def records_frame(store: Store, origin: str = "run") -> pd.DataFrame:
 
 
 def note_faults(store: Store) -> int:
-    """Say what old failures failed by, which nobody asked when they were made; return how many."""
+    """Judge old failures by today's rules, where those have changed since; return how many."""
     rows = store.query(
         "select id from records where fault is null and status in ('failure', 'truncated')"
     )
-    faults = [(fault_kind(store.record(row["id"])), row["id"]) for row in rows]
-    if faults:
+    records = [store.record(row["id"]) for row in rows]
+    if records:
         with store.writing() as database:
-            for fault, record_id in faults:
+            for record in records:
+                kind, fault = error_kind(record), fault_kind(record)
                 database.execute(
-                    "update records set fault = ? where id = ?", [fault and str(fault), record_id]
+                    "update records set error_kind = ?, fault = ? where id = ?",
+                    [kind and str(kind), fault and str(fault), record.id],
                 )
-    return len(faults)
+    return len(records)
 
 
 def _told(row: dict[str, Any]) -> Iterator[tuple[str, Any]]:

@@ -11,7 +11,7 @@ from reibench.report.markdown import score_markdown
 from reibench.report.text import score_report
 from reibench.run import RunSpec, evaluate
 from reibench.score import bootstrap, paired, sign_test, summarise, wilson
-from reibench.tally import records_frame
+from reibench.tally import note_faults, records_frame
 from reibench.worlds import worlds
 
 DONE = RunSpec(model="scripted:done")
@@ -67,6 +67,18 @@ def test_an_unlit_lamp_is_an_omitted_object(store, episodes, script):
     list(evaluate(DONE, [episode], backend, worlds.create("embedded"), store))
     [row] = score_rows(records_frame(store))
     assert (row["execution_error"], row["object_omission"]) == (0, 1)
+
+
+def test_failures_judged_by_earlier_rules_are_judged_anew(store, episodes, script):
+    skills = (" find a credit card", " pick up the credit card", " done")
+    episode = episodes["light_card.mixed-short"]
+    list(evaluate(DONE, [episode], script(*skills), worlds.create("embedded"), store))
+    with store.writing() as database:
+        database.execute("update records set error_kind = 'execution-error', fault = null")
+    assert note_faults(store) == 1
+    [row] = score_rows(records_frame(store))
+    assert (row["execution_error"], row["object_omission"]) == (0, 1)
+    assert note_faults(store) == 0
 
 
 def test_underdetermined_episodes_are_shown_apart(scored):

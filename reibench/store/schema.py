@@ -70,3 +70,12 @@ def what_planners_made(database: Database) -> None:
 def what_failures_failed_by(database: Database) -> None:
     """Keep the finer kind of failure; records made before have none until they are looked at."""
     database.execute("alter table records add column fault text")
+
+
+@migration
+def lamps_found_lit(database: Database) -> None:
+    """Have failures under lamps judged anew: a lamp that stood lit in view is not omitted."""
+    database.execute(
+        "update records set fault = null where task_type = 'look_at_obj_in_light'"
+        " and status in ('failure', 'truncated')"
+    )
