@@ -31,6 +31,10 @@ os.environ["REIBENCH_CACHE"] = CACHE.name
 SHARED = Path(os.environ.get("REIBENCH_SHARED", Path(__file__).parents[1] / ".." / "shared"))
 
 
+HOT_POTATO = f"scripted:{Path(__file__).with_name('hot_potato.toml')}"
+"""A model that does one task, heating a potato, with any planner and method."""
+
+
 @pytest.fixture(scope="session")
 def episodes() -> dict[str, Episode]:
     """Return the 54 that set the standard: small enough to play all of them."""

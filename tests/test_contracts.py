@@ -4,7 +4,8 @@ from itertools import product
 
 import pytest
 
-from reibench.backends import Alternative, Generation, Selection, backends
+from reibench.backends import backends
+from reibench.backends.opening import open_backend
 from reibench.errors import UnknownName
 from reibench.methods import methods
 from reibench.planners import planners
@@ -14,37 +15,14 @@ from reibench.skill import SKILLS
 from reibench.tally import records_frame
 from reibench.worlds import worlds
 from reibench.worlds.naming import create_world
-
-
-class Obliging:
-    """Says something sensible to a method, and plans three steps for whoever lets it choose."""
-
-    name = "scripted:obliging"
-
-    def __init__(self):
-        self.skills = iter([" find a potato", " pick up the potato"])
-
-    def generate(self, prompt, *, max_tokens=128, stop=(), grammar=""):
-        graph = "1: find a potato\n2: pick up the potato after 1\ndone"
-        words = 'potato" is the potato. Heat the potato.'
-        if prompt.begun.startswith("(:goal"):
-            return Generation(" (hot potato)))", prompt=prompt.text)
-        asked_for_graph = prompt.text.endswith("Graph:\n")
-        return Generation(graph if asked_for_graph else words, prompt=prompt.text)
-
-    def choose(self, prompt, options):
-        skill = next(self.skills, " done") if " done" in options else options[0]
-        return Selection(skill, alternatives=(Alternative(skill, 0.8),), prompt=prompt.text)
-
-    def close(self):
-        pass
+from tests.conftest import HOT_POTATO
 
 
 @pytest.mark.parametrize(("planner", "method"), list(product(planners.names(), methods.names())))
 def test_every_planner_works_with_every_method_from_run_to_score(planner, method, episode, store):
-    model = "scripted:obliging" if needs_model(planner) else ""
+    model = HOT_POTATO if needs_model(planner) else ""
     spec = RunSpec(planner=planner, method=method, model=model, max_steps=12)
-    backend = Obliging() if model else None
+    backend = open_backend(model) if model else None
     [played] = evaluate(spec, [episode], backend, make_world(spec), store)
     assert played.error == ""
     assert played.said_done or len(played.steps) == spec.max_steps

@@ -1,4 +1,4 @@
-"""A backend that answers from a list: the language model of tests and recorded demonstrations."""
+"""Backends that answer from a list or by rules: the model of tests and recorded demonstrations."""
 
 import re
 import tomllib
@@ -28,15 +28,7 @@ class ScriptedBackend:
 
     def choose(self, prompt: Prompt, options: Sequence[str]) -> Selection:
         """Return the option the next answer names, spaces around it ignored."""
-        answer = self._next(prompt)
-        for option in options:
-            if option.strip() == answer.strip():
-                sure = (Alternative(option, 1.0),)
-                return Selection(option, alternatives=sure, prompt=prompt.text + prompt.begun)
-        raise ReibenchError(
-            f"The script {self.name!r} says {answer!r}, which is none of the {len(options)}"
-            f" options; they read like {', '.join(repr(option) for option in options[:3])}."
-        )
+        return _chosen(self.name, self._next(prompt), prompt, options)
 
     def close(self) -> None:
         """Do nothing: there is no model to free."""
@@ -52,7 +44,7 @@ class ScriptedBackend:
         return answer
 
 
-class RuleScript(ScriptedBackend):
+class RuleScript:
     """Answer by rules: the first whose pattern is in the prompt, with its answers over and over.
 
     So one script serves any planner and method over any number of episodes.
@@ -60,17 +52,26 @@ class RuleScript(ScriptedBackend):
 
     def __init__(self, rules: Mapping[str, Sequence[str]], *, name: str = "scripted:rules") -> None:
         """Take `rules`: regular expressions searched in prompts, each with its answers in turn."""
-        super().__init__((), name=name)
+        self.name = name
         self._rules = [(re.compile(asked), cycle(answers)) for asked, answers in rules.items()]
+
+    def generate(
+        self, prompt: Prompt, *, max_tokens: int = 128, stop: Sequence[str] = (), grammar: str = ""
+    ) -> Generation:
+        """Return the answer as it stands."""
+        return Generation(self._answer(prompt), prompt=prompt.text + prompt.begun)
 
     def choose(self, prompt: Prompt, options: Sequence[str]) -> Selection:
         """Return the option the answer names; the answer `#1` is the first option, and so on."""
-        answer = self._next(prompt)
+        answer = self._answer(prompt)
         if number := re.fullmatch(r"#(\d+)", answer):
             answer = options[min(int(number[1]), len(options)) - 1]
-        return ScriptedBackend([answer], name=self.name).choose(prompt, options)
+        return _chosen(self.name, answer, prompt, options)
 
-    def _next(self, prompt: Prompt) -> str:
+    def close(self) -> None:
+        """Do nothing: there is no model to free."""
+
+    def _answer(self, prompt: Prompt) -> str:
         text = prompt.text + prompt.begun
         for asked, answers in self._rules:
             if asked.search(text):
@@ -79,6 +80,18 @@ class RuleScript(ScriptedBackend):
             f"No rule of {self.name!r} is for a prompt that ends with {text[-60:]!r}; a last rule"
             ' with asked = "" takes what no other does.'
         )
+
+
+def _chosen(name: str, answer: str, prompt: Prompt, options: Sequence[str]) -> Selection:
+    """Return the option that `answer` names, spaces around it ignored."""
+    for option in options:
+        if option.strip() == answer.strip():
+            sure = (Alternative(option, 1.0),)
+            return Selection(option, alternatives=sure, prompt=prompt.text + prompt.begun)
+    raise ReibenchError(
+        f"The script {name!r} says {answer!r}, which is none of the {len(options)}"
+        f" options; they read like {', '.join(repr(option) for option in options[:3])}."
+    )
 
 
 @backends.register("scripted")

@@ -5,7 +5,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from reibench.view.topbar import ACTORS, Actor, offered_methods, offered_planners
+from reibench.view.choices import offered_methods, offered_planners
+from reibench.view.topbar import ACTORS, Actor
 
 _TOKEN_LENGTH = 22
 DEFAULT_PLANNER = "saycan"

@@ -1,13 +1,12 @@
 """The two bar figures: success by level of every planner and model, and of every method.
 
-The only home of matplotlib. Colours are those of the pages (`assets/web/css/tokens.css`); hatches
-and lightness tell bars apart without them.
+The only home of matplotlib.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import pandas as pd
 
@@ -23,6 +22,7 @@ from reibench.report.labels import (
     place_of,
     planner_label,
 )
+from reibench.report.looks import INK, LINE, LOOK, MARKERS, METHOD_LOOKS, OTHER_LOOK
 from reibench.report.selecting import contestants
 from reibench.score import summarise
 
@@ -30,42 +30,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-INK, LABEL, LINE, PLAIN, ACCENT = "#1d2126", "#4c535c", "#dedbd4", "#868d97", "#2f5bd7"
 FORMATS = ("svg", "png", "pdf")
-LOOK: Any = {
-    "font.family": ["DejaVu Sans"],
-    "font.size": 9,
-    "axes.edgecolor": LINE,
-    "axes.labelcolor": LABEL,
-    "axes.titlesize": 10,
-    "axes.titleweight": "bold",
-    "axes.titlecolor": INK,
-    "axes.titlelocation": "left",
-    "xtick.color": LABEL,
-    "xtick.labelsize": 7.5,
-    "ytick.color": LABEL,
-    "text.color": INK,
-    "hatch.linewidth": 0.7,
-    "hatch.color": INK,
-    # the same scores give the same file
-    "svg.hashsalt": "reibench",
-}
-METHOD_LOOKS = {
-    "none": (PLAIN, ""),
-    "ap": ("#f6e6bd", ""),
-    "gated-ap": ("#f6e6bd", "////"),
-    "cot": ("#d9a441", "...."),
-    "short-cot": ("#d9a441", "////"),
-    "segmented-cot": ("#d9a441", "xxxx"),
-    "icl": ("#dfe3e8", "||||"),
-    "tocc": (ACCENT, ""),
-    "tocc-span": ("#a9bdf5", "\\\\\\\\"),
-    "no-context": ("#f0eeea", "----"),
-}
-"""Fill and hatch of each method."""
-OTHER_LOOK = ("#f0eeea", "oo")
-MARKERS = {MODEL: "D", "GPT-4o-mini": "o", "Deepseek-8B": "s"}
-"""The paper's models, hollow."""
 CROWDED = 4
 """Of more runs than these the three contexts stand on axes of their own."""
 

@@ -10,6 +10,7 @@ from reibench.skill import SKILLS, Skill
 from reibench.view.actor_panel import model_panel, person_panel
 from reibench.view.cameras import camera_strip
 from reibench.view.catalogue import Catalogue
+from reibench.view.choices import method_title, planner_title
 from reibench.view.dialogue import conversation
 from reibench.view.icons import sprite
 from reibench.view.markup import element
@@ -17,7 +18,7 @@ from reibench.view.picker import picker
 from reibench.view.rewrite import told_box
 from reibench.view.room_panel import room_loading, room_panel
 from reibench.view.side_by_side import side_by_side
-from reibench.view.topbar import Actor, ModelStatus, method_title, planner_title, topbar
+from reibench.view.topbar import Actor, ModelStatus, topbar
 from reibench.watching import Sitting
 from reibench.worlds import Event
 

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 from reibench.methods import methods
 from reibench.models import Shelved, in_megabytes
+from reibench.view.choices import offered_methods, offered_planners, planner_summary, planner_title
 from reibench.view.markup import classes, element, number, text
-from reibench.view.topbar import offered_methods, offered_planners, planner_summary, planner_title
 
 
 @dataclass(frozen=True)

@@ -6,9 +6,6 @@ from typing import Literal, get_args
 
 from reibench.dialogue import CONTEXTS, REFERENCES, Vagueness
 from reibench.episode import Episode
-from reibench.methods import methods
-from reibench.planners import planners
-from reibench.run import needs_model
 from reibench.scene import Scene
 from reibench.view.catalogue import Catalogue
 from reibench.view.markup import classes, element, text
@@ -253,31 +250,6 @@ def _actors(actor: Actor, method: str) -> str:
 
 def _actor_name(actor: Actor, method: str) -> str:
     return text(ACTOR_NAMES[actor].format(method=method))
-
-
-def method_title(name: str) -> str:
-    """Return what the page calls the method registered under `name`."""
-    return methods.create(name).title
-
-
-def offered_methods() -> list[str]:
-    """Return the names of the methods a model can be watched with; without one it is anyway."""
-    return [name for name in methods.names() if name != "none"]
-
-
-def offered_planners() -> list[str]:
-    """Return the names of the planners that ask a model."""
-    return [name for name in planners.names() if needs_model(name)]
-
-
-def planner_title(name: str) -> str:
-    """Return what the page calls the planner registered under `name`."""
-    return str(getattr(planners.get(name), "title", name))
-
-
-def planner_summary(name: str) -> str:
-    """Return what that planner does, in a few words."""
-    return str(getattr(planners.get(name), "summary", ""))
 
 
 def room_name(room: str) -> str:

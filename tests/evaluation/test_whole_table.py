@@ -4,15 +4,14 @@ import csv
 import io
 import json
 from itertools import product
-from pathlib import Path
 
 import pytest
 
 from reibench.__main__ import main
 from reibench.methods import methods
 from reibench.report.tables import TABLES
+from tests.conftest import HOT_POTATO
 
-SCRIPT = f"scripted:{Path(__file__).with_name('hot_potato.toml')}"
 PLANNERS = ("saycan", "dag-plan", "hpe", "llm-p")
 
 
@@ -22,7 +21,7 @@ def database(tmp_path_factory):
     path = tmp_path_factory.mktemp("table") / "records.db"
     status = main([
         "run", "--planner", ",".join(PLANNERS), "--method", ",".join(methods.names()),
-        "--model", SCRIPT, "--episodes", "gold", "--db", str(path),
+        "--model", HOT_POTATO, "--episodes", "gold", "--db", str(path),
     ])  # fmt: skip
     assert status == 0
     return path

@@ -5,9 +5,10 @@ from reibench.episode import TaskType
 from reibench.methods import methods
 from reibench.models import overview
 from reibench.view.catalogue import Catalogue
+from reibench.view.choices import offered_methods
 from reibench.view.markup import text
 from reibench.view.shelf import Fetching, shelf
-from reibench.view.topbar import ModelStatus, offered_methods, room_name, topbar
+from reibench.view.topbar import ModelStatus, room_name, topbar
 
 
 def test_changing_the_level_keeps_the_task(episodes):
