@@ -18,6 +18,7 @@ from reibench.commands import (
     sampling,
     scoring,
     shelving,
+    training,
     viewing,
 )
 from reibench.commands.output import tell
@@ -36,6 +37,7 @@ COMMANDS = {
     "dump": (dumping, "write object metadata of a simulator's rooms, for `import ithor`"),
     "view": (viewing, "write pages to look at: all rooms on a contact sheet"),
     "check-dataset": (checking, "are the episodes sound, and can they be solved?"),
+    "train": (training, "teach the packaged model to plan, or to restate"),
     "bench": (benching, "measure speed and memory"),
 }
 

@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from reibench.backends import Backend, backends
+from reibench.backends import Backend, backends, check_adapter
 from reibench.episode import Episode
 from reibench.errors import StoreUnavailable
 from reibench.methods import Instruction, methods
@@ -73,6 +73,11 @@ class RunSpec:
         methods.get(self.method)
         resolve_world(self.world)
         rules_called(self.rules)
+
+
+def check_method(spec: RunSpec, backend: Backend) -> None:
+    """Refuse a model that cannot do what the method asks of it; raises ModelUnavailable."""
+    check_adapter(getattr(methods.get(spec.method), "adapter", ""), backend)
 
 
 def needs_model(planner: str) -> bool:

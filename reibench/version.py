@@ -9,7 +9,13 @@ from pathlib import Path
 from reibench.household.rooms import imported_rooms
 
 ROOT = Path(__file__).parents[1]
-FILES = ("assets/rooms/*", "assets/examples/*", "assets/pddl/*", "reibench/household/objects.csv")
+FILES = (
+    "assets/rooms/*",
+    "assets/examples/*",
+    "assets/models/*.gguf",
+    "assets/pddl/*",
+    "reibench/household/objects.csv",
+)
 """Files that code of a run reads."""
 
 

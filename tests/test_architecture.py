@@ -8,17 +8,20 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[1]
+TRAINING = "reibench/tuning/training.py"
 ONLY_IN = {
     "gradio": ("app.py", "reibench/pages/"),
     "fastapi": ("app.py",),
     "ai2thor": ("reibench/worlds/ai2thor/client.py",),
-    "torch": ("reibench/backends/transformers/", "reibench/bench/published.py"),
+    "torch": ("reibench/backends/transformers/", "reibench/bench/published.py", TRAINING),
     "transformers": ("reibench/backends/transformers/", "reibench/bench/published.py"),
+    "peft": (TRAINING,),
+    "gguf": ("reibench/tuning/lora_file.py",),
     "llguidance": ("reibench/backends/transformers/",),
     "guidance": ("reibench/bench/published.py",),
     "openai": ("reibench/backends/openai.py",),
     "httpx2": ("reibench/backends/openai.py",),
-    "xllamacpp": ("reibench/backends/llama_cpp.py",),
+    "xllamacpp": ("reibench/backends/llama_server.py",),
     "unified_planning": ("reibench/planners/pddl.py",),
     "up_fast_downward": ("reibench/planners/pddl.py",),
     "sqlite_utils": ("reibench/store/",),
@@ -36,12 +39,12 @@ LEVELS = {
     "verdict": 7, "faults": 7, "version": 7, "run": 7, "store": 7, "score": 7, "report": 7,
     "tally": 7, "published": 1,
     "replay": 7, "watching": 7, "sittings": 7, "view": 7, "fidelity": 7, "evaluation": 7,
-    "bench": 8, "commands": 8, "pages": 8, "__main__": 8,
+    "tuning": 8, "bench": 8, "commands": 8, "pages": 8, "__main__": 8,
 }  # fmt: skip
 MODULES = sorted((ROOT / "reibench").rglob("*.py"))
 HEAVY = (
     "torch", "ai2thor", "gradio", "fastapi", "xllamacpp", "transformers", "llguidance", "openai",
-    "unified_planning", "up_fast_downward", "matplotlib", "ray", "guidance",
+    "unified_planning", "up_fast_downward", "matplotlib", "ray", "guidance", "peft", "gguf",
 )  # fmt: skip
 CATCHING = {"run.py"}
 """Where everything may be caught: an episode that breaks is recorded as an error."""

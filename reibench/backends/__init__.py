@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
+from reibench.errors import ModelUnavailable
 from reibench.registry import Registry
 
 
@@ -19,6 +20,8 @@ class Prompt:
     """Whether to ask in the model's chat template, as one user turn, if it has one."""
     begun: str = ""
     """How the answer begins: what is asked for goes on from here."""
+    adapter: str = ""
+    """Which of the backend's adapters it is written for; nothing is the model as it comes."""
 
 
 @dataclass(frozen=True)
@@ -102,6 +105,24 @@ class Backend(Protocol):
     def close(self) -> None:
         """Free the model."""
         ...
+
+
+def adapters_of(backend: Backend) -> frozenset[str]:
+    """Return the names of the adapters that prompts for `backend` may ask for.
+
+    A class whose objects have some says so by `adapters`; an adapter changes a model for one task,
+    which it then does without being shown how.
+    """
+    return frozenset(getattr(backend, "adapters", ()))
+
+
+def check_adapter(adapter: str, backend: Backend) -> None:
+    """Raise ModelUnavailable if a prompt for `adapter` cannot be put to `backend`."""
+    if adapter and adapter not in adapters_of(backend):
+        raise ModelUnavailable(
+            f"{backend.name} has no adapter {adapter!r}, which this method asks; take a model that"
+            " has, for example llama-cpp:gemma-3-270m+planner, or another method."
+        )
 
 
 def is_concurrent(backend: Backend) -> bool:

@@ -2,10 +2,8 @@
 
 import json
 import logging
-import os
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from importlib.metadata import version
 from itertools import takewhile
 from pathlib import Path
 from threading import Lock
@@ -15,15 +13,20 @@ from urllib.request import ProxyHandler, Request, build_opener
 
 from reibench import models
 from reibench.backends import Backend, Generation, Prompt, Selection, Usage, backends
+from reibench.backends.llama_server import (
+    has_chat_template,
+    open_server,
+    processors,
+    server_version,
+    variants_of,
+)
 from reibench.backends.prefixes import Prefixes, fingerprint, folder, prepare
-from reibench.backends.slots import Slots
+from reibench.backends.slots import Slots, Variant
 from reibench.backends.walk import OPTION_ENDS, Node, Walk, grow, inside_line
 from reibench.errors import ModelUnavailable, ReibenchError, unknown
 
 SLOTS = 8
 """Prompts kept evaluated side by side: six task types' examples and two rewriting prompts."""
-CONTEXT = 3072
-"""Tokens a prompt and its answer may have together."""
 BETWEEN = -1
 """Stands between texts that are turned into tokens together; no token is called that."""
 BIAS = 200.0
@@ -52,15 +55,28 @@ class LlamaCpp:
         threads: int = 0,
         slots: int = SLOTS,
         cache: Path | None = None,
+        adapters: Mapping[str, Path] | None = None,
     ) -> None:
-        """Open `path`, keeping prefixes in `cache`; raises ModelUnavailable."""
+        """Open `path`; raises ModelUnavailable.
+
+        Args:
+            path: a GGUF file.
+            name: what it is called on the command line.
+            threads: how many it computes with; 0 for those of the machine.
+            slots: prompts kept evaluated side by side.
+            cache: where prefixes are kept.
+            adapters: GGUF files with adapters, by name; a prompt says which of them it is for.
+        """
         self.name = name or f"llama-cpp:{path}"
         self._path = path
         self._lock = Lock()
-        self._chat = _has_chat_template(path)
+        self._chat = has_chat_template(path)
         kept = prepare(cache or folder())
-        self._server: Any = _open(path, threads or processors(), slots, kept)
-        prefixes = Prefixes(kept, f"{fingerprint(path)} {_version()}") if kept else None
+        files = dict(adapters or {})
+        self.adapters = frozenset(files)
+        self._server: Any = open_server(path, threads or processors(), slots, kept, files.values())
+        self._variants = variants_of(files)
+        prefixes = Prefixes(kept, f"{fingerprint(path)} {server_version()}") if kept else None
         self._slots = Slots(slots, self._complete, self._post, prefixes)
         self._roots: dict[tuple[str, ...], Node] = {}
 
@@ -71,9 +87,15 @@ class LlamaCpp:
         with self._lock:
             started = perf_counter()
             sent = self._formatted(prompt)
-            slot, before = self._place(prompt, sent)
-            request: dict[str, object] = {"prompt": sent, "id_slot": slot, "cache_prompt": True}
-            request |= {"n_predict": max_tokens, "temperature": 0.0, "stop": list(stop)}
+            variant = self._variant(prompt)
+            slot, before = self._place(prompt, sent, variant)
+            request: dict[str, object] = {**variant.request, "prompt": sent, "id_slot": slot}
+            request |= {
+                "cache_prompt": True,
+                "n_predict": max_tokens,
+                "temperature": 0.0,
+                "stop": list(stop),
+            }
             if grammar:
                 request["grammar"] = grammar
             answer = self._complete(request)
@@ -87,13 +109,15 @@ class LlamaCpp:
             started = perf_counter()
             root = self._root(tuple(options))
             sent = self._formatted(prompt)
-            slot, before = self._place(prompt, sent)
+            variant = self._variant(prompt)
+            slot, before = self._place(prompt, sent, variant)
+            common = {**variant.request, "id_slot": slot, "cache_prompt": True}
             start = self.tokens(sent)
             asked: list[Usage] = []
 
             def ask(path: tuple[int, ...], children: Sequence[int]) -> Mapping[int, float]:
                 weighing = _weighing((*start, *path), children)
-                answer = self._complete({**weighing, "id_slot": slot, "cache_prompt": True})
+                answer = self._complete({**weighing, **common})
                 asked.append(_usage(answer))
                 [token] = answer["choices"][0]["logprobs"]["content"]
                 return {one["id"]: one["prob"] for one in token["top_probs"]}
@@ -142,7 +166,12 @@ class LlamaCpp:
         template: str = self._post("/apply-template", {"messages": messages})["prompt"]
         return template + prompt.begun
 
-    def _place(self, prompt: Prompt, sent: str) -> tuple[int, int]:
+    def _variant(self, prompt: Prompt) -> Variant:
+        if prompt.adapter not in self._variants:
+            raise unknown(f"adapter of {self.name}", prompt.adapter, self.adapters)
+        return self._variants[prompt.adapter]
+
+    def _place(self, prompt: Prompt, sent: str, variant: Variant) -> tuple[int, int]:
         """Return the slot for a prompt, and the tokens evaluated for its fixed prefix just now."""
         begin = sent.find(prompt.text[: prompt.fixed])
         prefix = sent[: begin + prompt.fixed] if begin >= 0 and prompt.fixed else ""
@@ -152,7 +181,7 @@ class LlamaCpp:
             both = zip(self.tokens(prefix), self.tokens(sent), strict=False)
             return [one for one, _ in takewhile(lambda pair: pair[0] == pair[1], both)]
 
-        return self._slots.place(prefix, shared)
+        return self._slots.place(prefix, shared, variant=variant)
 
     def _complete(self, request: Mapping[str, object]) -> Mapping[str, Any]:
         answer: dict[str, Any] = self._running().handle_completions(dict(request))
@@ -172,44 +201,6 @@ class LlamaCpp:
         if self._server is None:
             raise ModelUnavailable(f"{self.name} has been closed; open it again to use it.")
         return self._server
-
-
-def _open(path: Path, threads: int, slots: int, kept: Path | None) -> Any:
-    if not path.is_file():
-        raise ModelUnavailable(
-            f"There is no model file {path}; give the path of a GGUF file, or the name of a model"
-            f" on the shelf ({', '.join(model.name for model in models.shelf())})."
-        )
-    with path.open("rb") as file:
-        if file.read(4) != b"GGUF":
-            raise ModelUnavailable(
-                f"{path} is no GGUF file (it does not begin with 'GGUF'); download it again, or"
-                " give another file."
-            )
-    from xllamacpp import CommonParams, Server  # heavy: only when a model is really opened
-
-    params = CommonParams()
-    params.model.path = str(path)
-    params.n_parallel = slots
-    params.n_ctx = slots * CONTEXT
-    params.cpuparams.n_threads = threads
-    params.warmup = False
-    params.swa_full = True  # a sliding window forgets prefixes, which are then evaluated again
-    params.cache_ram_mib = 0  # the slots hold all we reuse
-    params.slot_save_path = f"{kept}{os.sep}" if kept else ""
-    params.verbosity = -1
-    started = perf_counter()
-    try:
-        server = Server(params)
-    except RuntimeError as error:
-        raise ModelUnavailable(
-            f"llama.cpp cannot open {path} ({path.stat().st_size:,} bytes): the file is damaged or"
-            " cut off, of an unknown kind, or too big for the memory; download it again."
-        ) from error
-    # A server that is let go before its loop has begun waits for ever; an answer proves it runs.
-    server.handle_completions({"prompt": "a", "n_predict": 1, "cache_prompt": False})
-    log.info("opened %s in %.1f s", path, perf_counter() - started)
-    return server
 
 
 def _weighing(path: Sequence[int], children: Sequence[int]) -> dict[str, object]:
@@ -240,24 +231,6 @@ def _usage(answer: Mapping[str, Any], started: float | None = None) -> Usage:
     )
 
 
-def _version() -> str:
-    return f"xllamacpp {version('xllamacpp')}"
-
-
-def _has_chat_template(path: Path) -> bool:
-    # asked for a template, llama.cpp gives a default where the file has none
-    if not path.is_file():
-        return False
-    with path.open("rb") as file:
-        return b"tokenizer.chat_template" in file.read(1 << 25)
-
-
-def processors() -> int:
-    """Return how many threads a model uses here unless told otherwise."""
-    usable = getattr(os, "sched_getaffinity", None)
-    return min(8, len(usable(0)) if usable else os.cpu_count() or 1)
-
-
 @backends.register("llama-cpp")
 def open_model(source: str) -> Backend:
     """Open a model of the shelf by its name, or a GGUF file by its path."""
@@ -266,4 +239,5 @@ def open_model(source: str) -> Backend:
     names = [model.name for model in models.shelf()]
     if source not in names:
         raise unknown("language model", source, [*names, "PATH.gguf"])
-    return LlamaCpp(models.path_of(source), name=f"llama-cpp:{source}")
+    taught = models.adapters_of(source)
+    return LlamaCpp(models.path_of(source), name=f"llama-cpp:{source}", adapters=taught)

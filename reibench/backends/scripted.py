@@ -9,9 +9,14 @@ from pathlib import Path
 from reibench.backends import Alternative, Backend, Generation, Prompt, Selection, backends
 from reibench.errors import ModelUnavailable, ReibenchError
 
+RESOLVES = frozenset({"resolver"})
+"""A script can answer for this adapter; one for `planner` would be asked in other words."""
+
 
 class ScriptedBackend:
     """Give the answers in turn, and keep the prompts for inspection."""
+
+    adapters = RESOLVES
 
     def __init__(self, answers: Iterable[str], *, name: str = "scripted:list") -> None:
         self.name = name
@@ -49,6 +54,8 @@ class RuleScript:
 
     So one script serves any planner and method over any number of episodes.
     """
+
+    adapters = RESOLVES
 
     def __init__(self, rules: Mapping[str, Sequence[str]], *, name: str = "scripted:rules") -> None:
         """Take `rules`: regular expressions searched in prompts, each with its answers in turn."""

@@ -15,7 +15,8 @@ from time import perf_counter, process_time
 
 from reibench import models
 from reibench.backends import Backend, Generation, Prompt, Selection
-from reibench.backends.llama_cpp import LlamaCpp, processors
+from reibench.backends.llama_cpp import LlamaCpp
+from reibench.backends.llama_server import processors
 from reibench.bench.published import Chosen, Published, load, missing, versions
 from reibench.dataset.files import shipped_episodes
 from reibench.dataset.sample import select

@@ -14,7 +14,7 @@ from reibench.evaluation.processes import ProcessWorker, shares_of_processors
 from reibench.evaluation.product import Share, by_model
 from reibench.evaluation.threads import ThreadWorker
 from reibench.rollout import Record
-from reibench.run import RunSpec, evaluate, make_world, seeded
+from reibench.run import RunSpec, check_method, evaluate, make_world, seeded
 from reibench.store import Store
 from reibench.worlds import Announce
 
@@ -49,6 +49,9 @@ class Conductor:
         if not self._cluster:
             for group in reversed(self._groups):
                 self._open(group[0].spec.model)
+                for share in group:
+                    if self._backend:
+                        check_method(share.spec, self._backend)
 
     def perform(self, store: Store, announce: Announce) -> Generator[Outcome, None, None]:
         """Play, and yield each record once it is kept.

@@ -2,8 +2,8 @@
 
 import os
 import tomllib
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TypeAlias
@@ -12,6 +12,8 @@ from reibench.errors import ModelUnavailable, unknown
 
 ROOT = Path(__file__).parents[2]
 SHELF = ROOT / "assets" / "models.toml"
+ADAPTERS = ROOT / "assets" / "models"
+"""Where adapters are, which come with the project."""
 
 Progress: TypeAlias = Callable[[int, int], None]
 """Told how many bytes are here, and how many there will be."""
@@ -62,6 +64,8 @@ class Model:
     source: Source
     sha256: str = ""
     """Empty where only the source knows it."""
+    adapters: Mapping[str, str] = field(default_factory=dict)
+    """Files of what it has been taught besides, by name; each is used where it is asked for."""
 
 
 @dataclass(frozen=True)
@@ -90,6 +94,11 @@ def find(name: str) -> Model:
     if name not in known:
         raise unknown("model", name, known)
     return known[name]
+
+
+def adapters_of(name: str) -> Mapping[str, Path]:
+    """Return the files of the adapters that the model called `name` opens with."""
+    return {adapter: ADAPTERS / file for adapter, file in find(name).adapters.items()}
 
 
 def folder() -> Path:

@@ -55,7 +55,7 @@ def shelf(
         element("h3", "Planner", class_="label"),
         *_planners(planner),
         element("h3", "Prompting method", class_="label"),
-        *_methods(method),
+        *_methods(method, _lacking(models, chosen)),
         element("h3", "Keys", class_="label"),
         _keys(),
         class_="sheet",
@@ -73,18 +73,33 @@ def _planners(chosen: str) -> list[str]:
     ]
 
 
-def _methods(chosen: str) -> list[str]:
+def _lacking(models: Sequence[Shelved], chosen: str) -> frozenset[str]:
+    """Return the methods that ask an adapter which the chosen model of the shelf has not."""
+    names = [entry.model for entry in models if entry.model.name == chosen]
+    wanted = {name: str(getattr(methods.get(name), "adapter", "")) for name in offered_methods()}
+    return frozenset(
+        name
+        for name, adapter in wanted.items()
+        if adapter and names and adapter not in names[0].adapters
+    )
+
+
+def _methods(chosen: str, lacking: frozenset[str]) -> list[str]:
     """Return all prompting methods with what they do, as one choice."""
     known = {name: methods.create(name) for name in offered_methods()}
     return [
-        _choice("method", name, method.title, method.summary, chosen)
+        _choice("method", name, method.title, method.summary, chosen, off=name in lacking)
         for name, method in known.items()
     ]
 
 
-def _choice(what: str, name: str, title: str, summary: str, chosen: str) -> str:
+def _choice(
+    what: str, name: str, title: str, summary: str, chosen: str, *, off: bool = False
+) -> str:
+    summary += "; the chosen model was not" if off else ""
     words = element("span", element("b", text(title)), element("small", text(summary)))
-    return element("label", _radio(what, name, checked=name == chosen), words, class_="option")
+    radio = _radio(what, name, checked=name == chosen, disabled=off)
+    return element("label", radio, words, class_=classes("option", absent=off))
 
 
 def _keys() -> str:
@@ -93,8 +108,11 @@ def _keys() -> str:
     return element("label", box, element("span", words), class_="option")
 
 
-def _radio(what: str, value: str, *, checked: bool) -> str:
-    return element("input", type="radio", name=what, value=value, checked=checked, data_choose=what)
+def _radio(what: str, value: str, *, checked: bool, disabled: bool = False) -> str:
+    return element(
+        "input", type="radio", name=what, value=value, checked=checked, disabled=disabled,
+        data_choose=what,
+    )  # fmt: skip
 
 
 def _model(entry: Shelved, fetching: Fetching | None, *, chosen: str, ready: bool) -> str:

@@ -5,7 +5,7 @@ from pathlib import Path
 from urllib.parse import parse_qsl
 
 from reibench import models
-from reibench.errors import ReibenchError, unknown
+from reibench.errors import ModelUnavailable, ReibenchError, unknown
 
 DTYPES = ("auto", "float32", "float16", "bfloat16")
 QUANTIZATIONS = ("none", "8bit", "4bit")
@@ -32,6 +32,11 @@ class Source:
     @property
     def file(self) -> Path | None:
         """The GGUF file, where it is one; raises ModelUnavailable if it is not on this machine."""
+        if "+" in self.name:
+            raise ModelUnavailable(
+                f"hf:{self.name} cannot be had, for adapters are llama.cpp's; take"
+                f" llama-cpp:{self.name}, or hf:{self.name.partition('+')[0]} without."
+            )
         if self.name.lower().endswith(".gguf"):
             return Path(self.name).expanduser()
         if self.name in (model.name for model in models.shelf()):
