@@ -169,6 +169,10 @@ class Sittings:
         """End this visitor's running watches after the step they are at."""
         self._watching.stop(visitor)
 
+    def prepare(self, model: str) -> None:
+        """Begin to load a model that somebody is about to watch."""
+        self._watching.prepare(model)
+
     def model_ready(self, model: str) -> bool:
         """Whether the model is loaded already."""
         return self._watching.model_ready(model)

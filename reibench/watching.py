@@ -1,5 +1,6 @@
 """Watching: a planner acts in an episode for a visitor, one committed step after another."""
 
+import logging
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import closing
@@ -16,6 +17,8 @@ from reibench.skill import Skill
 from reibench.store import Store
 from reibench.worlds import Camera, Event
 from reibench.worlds.naming import renders
+
+log = logging.getLogger(__name__)
 
 
 @dataclass(frozen=True)
@@ -59,6 +62,7 @@ class Watching:
         self._stops: dict[str, int] = {}
         self._solutions: dict[str, tuple[Skill, ...]] = {}
         self._models: dict[str, Backend] = {}
+        self._coming: set[str] = set()
         self._lock = threading.Lock()
 
     def watch(self, visitor: str, episode: Episode, spec: RunSpec) -> Iterator[Sitting]:
@@ -132,6 +136,20 @@ class Watching:
     def model_ready(self, model: str) -> bool:
         """Whether the model is loaded already."""
         return model in self._models
+
+    def prepare(self, model: str) -> None:
+        """Begin to load a model that will be wanted soon, unless it is on its way already."""
+        if model and model not in self._models and model not in self._coming:
+            self._coming.add(model)
+            threading.Thread(target=self._prepare, args=(model,), daemon=True).start()
+
+    def _prepare(self, model: str) -> None:
+        try:
+            self._model(model)
+        except ReibenchError as problem:
+            log.info("%s is not loaded ahead: %s", model, problem)  # whoever asks it is told
+        finally:
+            self._coming.discard(model)
 
     def solution(self, episode: Episode) -> tuple[Skill, ...]:
         """Return the expert's skills for an episode, those that worked."""

@@ -67,13 +67,18 @@ def open_server(
         server = Server(params)
     except RuntimeError as error:
         raise ModelUnavailable(
-            f"llama.cpp cannot open {path} ({path.stat().st_size:,} bytes): the file is damaged or"
-            " cut off, of an unknown kind, or too big for the memory; download it again."
+            f"llama.cpp cannot open {path} ({path.stat().st_size:,} bytes){_with(adapters)}: the"
+            " file is damaged or cut off, of an unknown kind, or too big for the memory; download"
+            " it again."
         ) from error
     # A server that is let go before its loop has begun waits for ever; an answer proves it runs.
     server.handle_completions({"prompt": "a", "n_predict": 1, "cache_prompt": False})
     log.info("opened %s in %.1f s", path, perf_counter() - started)
     return server
+
+
+def _with(adapters: Collection[Path]) -> str:
+    return f", or with it {' or '.join(map(str, adapters))}" if adapters else ""
 
 
 def variants_of(adapters: Mapping[str, Path]) -> dict[str, Variant]:

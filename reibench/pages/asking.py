@@ -10,8 +10,6 @@ from reibench.view.topbar import ACTORS, Actor
 
 _TOKEN_LENGTH = 22
 DEFAULT_PLANNER = "saycan"
-DEFAULT_METHOD = "tocc-span"
-"""The paper's free rewrite wants a larger model than those that come along (see the README)."""
 
 
 @dataclass(frozen=True)
@@ -30,7 +28,8 @@ class Ask:
     skill: str = ""
     model: str = ""
     planner: str = DEFAULT_PLANNER
-    method: str = DEFAULT_METHOD
+    method: str = ""
+    """Nothing is the one that suits the model."""
     solution: bool = False
     """Whether the expert's steps are shown."""
     as_actor: Actor | None = None
@@ -64,7 +63,7 @@ class Ask:
             planner=next(
                 (p for p in offered_planners() if p == data.get("planner")), DEFAULT_PLANNER
             ),
-            method=next((m for m in offered_methods() if m == data.get("method")), DEFAULT_METHOD),
+            method=next((m for m in offered_methods() if m == data.get("method")), ""),
             solution=data.get("solution") is True,
             as_actor=actor_called(data.get("as")),
             kind=_word(data.get("kind")),

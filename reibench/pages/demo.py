@@ -159,12 +159,13 @@ class Demo:
         ask = Ask.read(event._data)
         watch = partial(self._sittings.watch, visitor, ask.episode)
         model, planner = self._showing.model_of(ask), ask.planner
+        told = self._showing.method_of(ask)
         try:
             if ask.actor == "side":
-                both = [watch(method, model, planner) for method in ("none", ask.method)]
+                both = [watch(method, model, planner) for method in ("none", told)]
                 screens = self._showing.watching_both(ask, both)
             else:
-                method = ask.method if ask.actor == "tocc" else "none"
+                method = told if ask.actor == "tocc" else "none"
                 screens = self._showing.watching(ask, watch(method, model, planner))
             for screen in screens:
                 yield answer(ask, screen)

@@ -10,6 +10,7 @@ from reibench.pages.fetching import Fetcher
 from reibench.sittings import Sittings
 from reibench.view.actor_panel import trouble_panel
 from reibench.view.catalogue import Catalogue
+from reibench.view.choices import usable_method
 from reibench.view.finder import Seek, finder, found_list
 from reibench.view.screens import (
     Screen,
@@ -55,9 +56,10 @@ class Showing:
         if ask.actor == "me":
             return person_screen(setting, own, notice=notice)
         model = self.model_of(ask)
+        self._sittings.prepare(model)
         watched = self._sittings.watched(visitor, ask.episode)
         plain = watched.get(f"{ask.planner}+none/{model}")
-        told = watched.get(f"{ask.planner}+{ask.method}/{model}")
+        told = watched.get(f"{ask.planner}+{self.method_of(ask)}/{model}")
         if ask.actor == "side":
             return side_screen(setting, own.start, (plain, told), notice=notice)
         run = told if ask.actor == "tocc" else plain
@@ -112,7 +114,7 @@ class Showing:
             models.overview(),
             chosen=name.split(":", 1)[-1],
             planner=ask.planner,
-            method=ask.method,
+            method=self.method_of(ask),
             ready=self._sittings.model_ready(name),
             fetching=self.fetcher.states,
         )
@@ -128,7 +130,9 @@ class Showing:
         """Return what is the same on every screen of a choice; `sitting` tells a planner's pace."""
         episode = self._sittings.episode(ask.episode)
         status = self._status(self.model_of(ask), sitting)
-        return Setting(self.catalogue, episode, status, ask.planner, ask.method, self._links)
+        return Setting(
+            self.catalogue, episode, status, ask.planner, self.method_of(ask), self._links
+        )
 
     def _status(self, model: str, sitting: Sitting | None) -> ModelStatus:
         if not model:
@@ -141,6 +145,10 @@ class Showing:
         # What the model took, not the clock: side by side, each planner waits for the other.
         pace = sum(step.decision.usage.seconds for step in sitting.steps) / len(sitting.steps)
         return ModelStatus(name, f"ready · {pace:.1f} s a step")
+
+    def method_of(self, ask: Ask) -> str:
+        """Return the method to use: the visitor's choice, if the model can do it."""
+        return usable_method(ask.method, self.model_of(ask))
 
     def model_of(self, ask: Ask) -> str:
         """Return the model to ask: the server's own, else the visitor's choice from the shelf."""

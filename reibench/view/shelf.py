@@ -5,7 +5,13 @@ from dataclasses import dataclass
 
 from reibench.methods import methods
 from reibench.models import Shelved, in_megabytes
-from reibench.view.choices import offered_methods, offered_planners, planner_summary, planner_title
+from reibench.view.choices import (
+    adapter_of,
+    offered_methods,
+    offered_planners,
+    planner_summary,
+    planner_title,
+)
 from reibench.view.markup import classes, element, number, text
 
 
@@ -76,7 +82,7 @@ def _planners(chosen: str) -> list[str]:
 def _lacking(models: Sequence[Shelved], chosen: str) -> frozenset[str]:
     """Return the methods that ask an adapter which the chosen model of the shelf has not."""
     names = [entry.model for entry in models if entry.model.name == chosen]
-    wanted = {name: str(getattr(methods.get(name), "adapter", "")) for name in offered_methods()}
+    wanted = {name: adapter_of(name) for name in offered_methods()}
     return frozenset(
         name
         for name, adapter in wanted.items()

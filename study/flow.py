@@ -1,0 +1,351 @@
+"""The participant's way: which stage comes next, decided on the server for every click.
+
+A stage is left only by what belongs to it, and each change is one transaction, so a reload, a second
+tab or a restarted server finds everybody where they were.
+"""
+
+import threading
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime
+from typing import Literal
+
+from sqlite_utils import Database
+
+from reibench.backends import Backend
+from reibench.dataset.files import shipped_episodes
+from reibench.errors import ModelUnavailable, ReibenchError, StaleStep
+from reibench.run import RunSpec
+from reibench.sittings import Sittings
+from reibench.store.schema import now
+from reibench.watching import Sitting
+from study.answering import Answers, checked, keep_answers, wrong_answers
+from study.config import Ending, Question, Study
+from study.enrolment import Assignment, Enrolment, Participant, log
+
+Stage = Literal["consent", "tutorial", "practice", "quiz", "trial", "after", "end", "over"]
+STAGES: tuple[Stage, ...] = (
+    "consent", "tutorial", "practice", "quiz", "trial", "after", "end", "over",
+)  # fmt: skip
+LOCKS = 64
+
+
+@dataclass(frozen=True)
+class Page:
+    """What a participant is to see now."""
+
+    participant: Participant
+    study: Study
+    stage: Stage
+    place: int = 0
+    """Which practice task or trial, from 0."""
+    sitting: Sitting | None = None
+    """The episode being played; never shown whole, see `study.pages`."""
+    questions: tuple[Question, ...] = ()
+    wrong: tuple[Question, ...] = ()
+    """Those of the quiz that were answered wrongly at the last try."""
+    ending: Ending | None = None
+    code: str = ""
+    """To be given back to whoever sent the participant."""
+    link: str = ""
+
+
+class Flow:
+    """Everybody's way through the studies of one database."""
+
+    def __init__(self, enrolment: Enrolment) -> None:
+        self.enrolment = enrolment
+        self._store = enrolment.store
+        self._sittings: dict[tuple[str, int], Sittings] = {}
+        self._locks = tuple(threading.RLock() for _ in range(LOCKS))
+
+    def page(self, token: str) -> Page:
+        """Return where a participant is; raises UnknownName for a token nobody has."""
+        with self._lock(token):
+            return self._page(self.enrolment.participant(token))
+
+    # what a participant does
+
+    def consent(self, token: str, *, agreed: bool) -> Page:
+        """Agree to take part, or not."""
+        if agreed:
+            return self._move(
+                token, "consent", 0, lambda database, who: _go(database, who, "tutorial")
+            )
+        return self._move(
+            token, "consent", 0, lambda database, who: _end(database, who, "no_consent")
+        )
+
+    def read(self, token: str) -> Page:
+        """Have read the tutorial."""
+        return self._move(token, "tutorial", 0, self._after_tutorial)
+
+    def step(
+        self, token: str, stage: Stage, place: int, skill: str, expected: int, seconds: float | None
+    ) -> Page:
+        """Carry out a skill in the practice task or trial of that place.
+
+        Raises:
+            StaleStep: when the participant is elsewhere, or the episode at another step.
+            UnknownSkill: for text that is no skill.
+        """
+        with self._lock(token):
+            page = self._playing(token, stage, place)
+            assert page.sitting is not None
+            sittings = self._sittings_of(page.study)
+            sittings.step(page.sitting.id, page.participant.code, skill, expected, seconds)
+            return self.page(token)
+
+    def done(self, token: str, stage: Stage, place: int, expected: int) -> Page:
+        """Say that the request is carried out."""
+        with self._lock(token):
+            page = self._playing(token, stage, place)
+            assert page.sitting is not None
+            sittings = self._sittings_of(page.study)
+            sittings.done(page.sitting.id, page.participant.code, expected)
+            return self.page(token)
+
+    def answer(self, token: str, stage: Stage, place: int, answers: Answers) -> Page:
+        """Answer the questions of the quiz, after a trial, or at the end.
+
+        Raises:
+            StaleStep: when the participant is elsewhere.
+            ReibenchError: naming the question whose answer is missing or none of its options.
+        """
+        if stage not in ("quiz", "after", "end"):
+            raise ReibenchError(f"Nothing is asked at the stage {stage!r}.")
+
+        def note(database: Database, who: Participant) -> None:
+            study = self.enrolment.study(who.study, who.version)
+            asked = questions_at(study, stage)
+            given = checked(asked, answers)
+            attempt = who.quiz_tries + 1
+            keep_answers(database, who.code, stage, place, attempt, asked, given)
+            if stage == "quiz":
+                self._after_quiz(database, who, study, wrong_answers(asked, given))
+            elif stage == "end":
+                _end(database, who, "completed")
+            else:
+                self._after_trial(database, who, study)
+
+        return self._move(token, stage, place, note)
+
+    def withdraw(self, token: str) -> Page:
+        """Leave: what was answered and done is deleted, that somebody was here is not."""
+        with self._lock(token):
+            who = self.enrolment.participant(token)
+            if who.state == "withdrawn":
+                return self._page(who)
+            records = [
+                one.record
+                for kind in ("practice", "trial")
+                for one in self.enrolment.assignments(who.code, kind)
+                if one.record
+            ]
+            with self._store.writing() as database:
+                for table in ("answers", "page_times"):
+                    database.execute(f"delete from {table} where participant = ?", [who.code])
+                database.execute(
+                    "update assignments set record = null where participant = ?", [who.code]
+                )
+                database.execute(
+                    "update participants set parameters = '{}' where code = ?", [who.code]
+                )
+                _end(database, who, "withdrawn")
+            self._store.forget(records)
+            return self.page(token)
+
+    def timed(
+        self, token: str, stage: Stage, place: int, step: int, times: tuple[float, float, float]
+    ) -> None:
+        """Note when a page was shown and left by the client's clock, and how long it was hidden.
+
+        `times` are milliseconds since the epoch, twice, and a duration in milliseconds.
+        """
+        who = self.enrolment.participant(token)
+        if who.state != "active":
+            return
+        with self._store.writing() as database:
+            database.execute(
+                "insert into page_times values (?, ?, ?, ?, ?, ?, ?, ?)",
+                [who.code, stage, place, step, *times, now()],
+            )
+
+    # helpers
+
+    def _lock(self, token: str) -> threading.RLock:
+        return self._locks[hash(token) % LOCKS]
+
+    def _sittings_of(self, study: Study) -> Sittings:
+        key = (study.rules, study.max_steps)
+        if key not in self._sittings:
+            spec = RunSpec(rules=study.rules, max_steps=study.max_steps)
+            self._sittings[key] = Sittings(
+                shipped_episodes(), self._store, _no_model, spec=spec, origin="study"
+            )
+        return self._sittings[key]
+
+    def _move(
+        self,
+        token: str,
+        stage: Stage,
+        place: int,
+        change: Callable[[Database, Participant], None],
+    ) -> Page:
+        """Change where a participant is, if they are still where the page says."""
+        with self._lock(token):
+            with self._store.writing() as database:
+                who = self.enrolment.participant(token)
+                _refuse_elsewhere(who, stage, place)
+                change(database, who)
+            return self.page(token)
+
+    def _playing(self, token: str, stage: Stage, place: int) -> Page:
+        _refuse_elsewhere(self.enrolment.participant(token), stage, place)
+        page = self.page(token)
+        if (page.stage, page.place) != (stage, place) or page.sitting is None:
+            raise StaleStep("This task is over. The page now shows where you are.")
+        return page
+
+    def _page(self, who: Participant) -> Page:
+        """Return the page of a participant, ending first what has ended."""
+        study = self.enrolment.study(who.study, who.version)
+        stage = _stage(who)
+        page = Page(who, study, stage, who.place)
+        if stage in ("practice", "trial"):
+            sitting = self._sitting(who, study, stage)
+            if sitting.status is None and _late(study, stage, sitting, self._store.query):
+                sitting = self._sittings_of(study).done(
+                    sitting.id, who.code, len(sitting.steps) + 1
+                )
+            if sitting.status is None:
+                return replace(page, sitting=sitting)
+            with self._store.writing() as database:
+                self._after_playing(database, who, study)
+            return self._page(self.enrolment.participant(who.token))
+        if stage == "over":
+            ending: Ending = "completed" if who.state == "finished" else _ending(who)
+            code = study.codes.get(ending, "")
+            link = study.links.get(ending, "").replace("{code}", code)
+            return replace(page, ending=ending, code=code, link=link)
+        asked = questions_at(study, stage)
+        wrong = self._wrong(who, asked) if stage == "quiz" else ()
+        return replace(page, questions=asked, wrong=wrong)
+
+    def _sitting(self, who: Participant, study: Study, stage: Stage) -> Sitting:
+        """Return the episode that is being played, begun if need be."""
+        sittings = self._sittings_of(study)
+        given = self._given(who, stage)
+        if given.record:
+            return sittings.find(given.record, who.code)
+        sitting = sittings.open(who.code, given.episode)
+        with self._store.writing() as database:
+            database.execute(
+                "update assignments set record = ? where participant = ? and kind = ? and place = ?",
+                [sitting.id, who.code, stage, who.place],
+            )
+        return sitting
+
+    def _given(self, who: Participant, stage: Stage) -> Assignment:
+        return self.enrolment.assignments(who.code, stage)[who.place]
+
+    def _wrong(self, who: Participant, asked: tuple[Question, ...]) -> tuple[Question, ...]:
+        rows = self._store.query(
+            "select question from answers where participant = ? and stage = 'quiz'"
+            " and attempt = ? and right = 0",
+            [who.code, who.quiz_tries],
+        )
+        names = {row["question"] for row in rows}
+        return tuple(question for question in asked if question.name in names)
+
+    # what follows what
+
+    def _after_tutorial(self, database: Database, who: Participant) -> None:
+        study = self.enrolment.study(who.study, who.version)
+        _go(database, who, "practice" if study.practice else "quiz" if study.quiz else "trial")
+
+    def _after_playing(self, database: Database, who: Participant, study: Study) -> None:
+        if who.stage == "practice":
+            if who.place + 1 < len(study.practice):
+                _go(database, who, "practice", who.place + 1)
+            else:
+                _go(database, who, "quiz" if study.quiz else "trial")
+        elif study.after_trial:
+            _go(database, who, "after", who.place)
+        else:
+            self._after_trial(database, who, study)
+
+    def _after_quiz(
+        self, database: Database, who: Participant, study: Study, wrong: tuple[Question, ...]
+    ) -> None:
+        tries = who.quiz_tries + 1
+        database.execute("update participants set quiz_tries = ? where code = ?", [tries, who.code])
+        if not wrong:
+            _go(database, who, "trial")
+        elif tries >= study.quiz_tries:
+            _end(database, who, "failed_check")
+
+    def _after_trial(self, database: Database, who: Participant, study: Study) -> None:
+        if who.place + 1 < study.trials:
+            _go(database, who, "trial", who.place + 1)
+        elif study.at_end:
+            _go(database, who, "end")
+        else:
+            _end(database, who, "completed")
+
+
+def questions_at(study: Study, stage: Stage) -> tuple[Question, ...]:
+    """Return what is asked at a stage."""
+    asked = {"quiz": study.quiz, "after": study.after_trial, "end": study.at_end}
+    return asked.get(stage, ())
+
+
+def _stage(who: Participant) -> Stage:
+    return next(stage for stage in STAGES if stage == who.stage)
+
+
+def _ending(who: Participant) -> Ending:
+    known: Mapping[str, Ending] = {
+        "no_consent": "no_consent", "failed_check": "failed_check", "withdrawn": "withdrawn",
+    }  # fmt: skip
+    return known.get(who.state, "completed")
+
+
+def _refuse_elsewhere(who: Participant, stage: Stage, place: int) -> None:
+    if who.state != "active" or who.stage != stage or who.place != place:
+        raise StaleStep("This page was behind. It now shows where you are.")
+
+
+def _go(database: Database, who: Participant, stage: Stage, place: int = 0) -> None:
+    database.execute(
+        "update participants set stage = ?, place = ?, seen = ? where code = ?",
+        [stage, place, now(), who.code],
+    )
+
+
+def _end(database: Database, who: Participant, ending: Ending) -> None:
+    state = "finished" if ending == "completed" else ending
+    database.execute(
+        "update participants set stage = 'over', place = 0, state = ?, seen = ?, ended = ?"
+        " where code = ?",
+        [state, now(), now(), who.code],
+    )
+    log(database, who.study, who.code, ending)
+
+
+def _late(
+    study: Study,
+    stage: Stage,
+    sitting: Sitting,
+    query: Callable[[str, list[object]], list[dict[str, str]]],
+) -> bool:
+    """Whether a trial's time is up, by the server's clock."""
+    if not study.trial_minutes or stage != "trial":
+        return False
+    [row] = query("select started from records where id = ?", [sitting.id])
+    passed = datetime.now(UTC) - datetime.fromisoformat(row["started"])
+    return passed.total_seconds() > 60 * study.trial_minutes
+
+
+def _no_model(name: str) -> Backend:
+    raise ModelUnavailable(f"A study asks no language model, not {name} either.")

@@ -1,0 +1,27 @@
+"""Where a study stands: people by what became of them, cells by how full they are."""
+
+from collections import Counter
+from typing import Any
+
+from study.enrolment import Enrolment
+
+
+def status_of(enrolment: Enrolment, name: str) -> dict[str, Any]:
+    """Return the people of a study by state, and the trials held at each level."""
+    study = enrolment.study(name)
+    [about] = [row for row in enrolment.studies() if row["name"] == name]
+    people = enrolment.store.query(
+        "select state, count(*) as number from participants where study = ? group by state", [name]
+    )
+    filled = enrolment.filled(study)
+    levels: Counter[str] = Counter({str(episode.vagueness): 0 for episode in study.chosen()})
+    for episode, number in filled.items():
+        levels[episode.rpartition(".")[2]] += number
+    return {
+        "study": name,
+        "version": about["version"],
+        "state": about["state"],
+        "planned": study.people,
+        "people": {row["state"]: row["number"] for row in people},
+        "cells": dict(levels),
+    }
