@@ -15,7 +15,7 @@ from reibench.pool import Lease, Pool
 from reibench.rollout import Rollout
 from reibench.run import RunSpec, make_world
 from reibench.skill import Skill, parse_skill
-from reibench.store import Entry, Store
+from reibench.store import Entry, Origin, Store
 from reibench.watching import Sitting, Watching
 from reibench.worlds import World
 from reibench.worlds.naming import renders, resolve_world
@@ -48,8 +48,13 @@ class Sittings:
         open_model: Callable[[str], Backend],
         *,
         spec: RunSpec | None = None,
+        origin: Origin = "demo",
     ) -> None:
-        """Serve `episodes`; `spec` says which rules, world and budget everyone plays with."""
+        """Serve `episodes`; `spec` says which rules, world and budget everyone plays with.
+
+        `origin` is what their records are kept as.
+        """
+        self._origin: Origin = origin
         self.episodes: Mapping[str, Episode] = {each.id: each for each in episodes}
         self._store = store
         self._open_model = open_model
@@ -73,7 +78,9 @@ class Sittings:
                     break
         spec = replace(self._spec, planner=PERSON, method="none", model="").versioned()
         live = self._make(episode, spec)  # first, so that a world that fails leaves no record
-        record_id = self._store.begin(spec, episode, actor=PERSON, origin="demo", visitor=visitor)
+        record_id = self._store.begin(
+            spec, episode, actor=PERSON, origin=self._origin, visitor=visitor
+        )
         self._live.lend(record_id, lambda: live)
         if live.rollout.first_event is not None:
             self._store.started(record_id, live.rollout.first_event)
@@ -212,7 +219,7 @@ class Sittings:
         return self._live.lend(entry.id, rebuild)
 
     def _entries(self, visitor: str) -> list[Entry]:
-        return self._store.entries("visitor = ? and origin = 'demo'", [visitor])
+        return self._store.entries("visitor = ? and origin = ?", [visitor, self._origin])
 
     def _entry(self, sitting_id: str, visitor: str) -> Entry:
         """Return the record's entry; another visitor's is as unknown as one that never was."""

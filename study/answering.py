@@ -16,7 +16,7 @@ LONGEST = 2000
 
 
 def checked(asked: Sequence[Question], answers: Answers) -> dict[str, str]:
-    """Return the answer to each question, as text; raises ReibenchError for one that does not fit."""
+    """Return the answer to each question as text; raises ReibenchError if one does not fit."""
     given: dict[str, str] = {}
     for question in asked:
         answer = answers.get(question.name)
@@ -59,6 +59,7 @@ def keep_answers(
     right_of = {question.name: question.right for question in asked}
     for name, answer in given.items():
         right = answer == right_of[name] if right_of[name] else None
+        number = attempt if stage == "quiz" else 1
         database.execute(
             "insert into answers values (?, ?, ?, ?, ?, ?, ?, ?)",
             [

@@ -19,6 +19,7 @@ from reibench.store.schema import now
 from study import schema
 from study.config import Study, from_json
 from study.designs import designs
+from study.texts import fingerprint
 
 State = Literal["active", "finished", "no_consent", "failed_check", "withdrawn", "rejected"]
 RunState = Literal["open", "paused", "stopped"]
@@ -146,7 +147,9 @@ class Enrolment:
         """
         study = self.study(name)
         kept = {key: parameters[key] for key in study.parameters if parameters.get(key)}
-        submission = kept.get(study.submission) if study.submission else None
+        # what tells submissions apart outlives a withdrawal, and so must name nobody
+        sent = kept.get(study.submission) if study.submission else None
+        submission = fingerprint(sent) if sent else None
         with self.store.writing() as database:
             known = _known(database, name, invite, submission)
             if known:

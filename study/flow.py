@@ -1,7 +1,7 @@
 """The participant's way: which stage comes next, decided on the server for every click.
 
-A stage is left only by what belongs to it, and each change is one transaction, so a reload, a second
-tab or a restarted server finds everybody where they were.
+A stage is left only by what belongs to it, and each change is one transaction, so a reload, a
+second tab or a restarted server finds everybody where they were.
 """
 
 import threading
@@ -241,7 +241,8 @@ class Flow:
         sitting = sittings.open(who.code, given.episode)
         with self._store.writing() as database:
             database.execute(
-                "update assignments set record = ? where participant = ? and kind = ? and place = ?",
+                "update assignments set record = ?"
+                " where participant = ? and kind = ? and place = ?",
                 [sitting.id, who.code, stage, who.place],
             )
         return sitting

@@ -25,8 +25,8 @@ from reibench.store.steps import step_row, steps_of
 from reibench.verdict import error_kind
 from reibench.worlds import Event
 
-Origin = Literal["run", "demo"]
-"""Where a record comes from: the command line's runs, or the demo page (never scored together)."""
+Origin = Literal["run", "demo", "study"]
+"""Where a record comes from: the command line's runs, the demo page, or a study's participants."""
 
 
 @dataclass(frozen=True)
@@ -193,6 +193,14 @@ class Store(DatabaseFile):
                 record.id,
             ],
         )
+
+    def forget(self, record_ids: Iterable[str]) -> None:
+        """Delete records with their steps and frames, for people who want that."""
+        with self.writing() as database:
+            for record_id in record_ids:
+                database.execute("delete from steps where record = ?", [record_id])
+                database.execute("delete from records where id = ?", [record_id])
+                self.frames.forget(record_id)
 
     def keep(self, record: Record) -> None:
         """Write a record that was begun here and played elsewhere: all of it, or nothing."""
