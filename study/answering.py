@@ -67,7 +67,7 @@ def keep_answers(
                 stage,
                 place,
                 name,
-                attempt if stage == "quiz" else 1,
+                number,
                 answer,
                 right,
                 now(),

@@ -3,27 +3,12 @@
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
-from pathlib import Path
 
 import pytest
 
 from reibench.errors import ReibenchError, UnknownName
-from reibench.store import Store
-from study.config import read_study
 from study.designs import designs
-from study.enrolment import Closed, Enrolment
-
-EXAMPLE = Path(__file__).parents[2] / "assets" / "study" / "study.toml"
-
-
-@pytest.fixture(scope="module")
-def example():
-    return read_study(EXAMPLE)
-
-
-@pytest.fixture
-def enrolment(tmp_path):
-    return Enrolment(Store(tmp_path / "study.db"))
+from study.enrolment import Closed
 
 
 def levels_of(enrolment, participant):

@@ -1,0 +1,217 @@
+"""The participant's way, from the invitation to the code."""
+
+from dataclasses import replace
+
+import pytest
+
+from reibench.errors import ReibenchError, StaleStep, UnknownName, UnknownSkill
+from reibench.store import Store
+from study.enrolment import Enrolment
+from study.flow import Flow
+from tests.study.conftest import go_to, right
+
+
+def everything(flow):
+    """Return all that is recorded, for comparing before and after."""
+    tables = ("participants", "assignments", "answers", "records", "steps")
+    return {name: flow.enrolment.store.query(f"select * from {name}") for name in tables}
+
+
+def test_the_whole_way(flow, someone, short):
+    stages = []
+    page = flow.page(someone)
+    while page.stage != "over":
+        stages.append((page.stage, page.place))
+        page = flow.page(someone)
+        if page.stage == "consent":
+            page = flow.consent(someone, agreed=True)
+        elif page.stage == "tutorial":
+            page = flow.read(someone)
+        elif page.sitting:
+            page = flow.step(someone, page.stage, page.place, "find a fridge", 1, 0.5)
+            page = flow.done(someone, page.stage, page.place, 2)
+        else:
+            page = flow.answer(someone, page.stage, page.place, right(page.questions))
+    assert stages == [
+        ("consent", 0), ("tutorial", 0), ("practice", 0), ("quiz", 0), ("trial", 0), ("after", 0),
+        ("trial", 1), ("after", 1), ("end", 0),
+    ]  # fmt: skip
+    assert page.ending == "completed"
+    assert page.code == short.codes["completed"]
+
+
+def test_what_is_played_is_what_was_assigned_and_kept_as_a_person_s_record(flow, someone):
+    page = go_to(flow, someone, "trial")
+    given = flow.enrolment.assignments(page.participant.code)
+    assert page.sitting.episode.id == given[0].episode
+    page = flow.step(someone, "trial", 0, "find a fridge", 1, 1.25)
+    [record] = flow.enrolment.store.query("select * from records where id = ?", [page.sitting.id])
+    assert (record["origin"], record["actor"]) == ("study", "person")
+    assert record["visitor"] == page.participant.code
+    assert page.sitting.steps[0].seconds == 1.25
+
+
+def test_any_reload_or_another_server_returns_to_the_same_place(flow, someone, tmp_path):
+    for stage, place in (("practice", 0), ("quiz", 0), ("trial", 0), ("after", 1), ("end", 0)):
+        page = go_to(flow, someone, stage, place)
+        if page.sitting:
+            page = flow.step(someone, stage, place, "find a fridge", len(page.sitting.steps) + 1, 1)
+        flow = Flow(Enrolment(Store(tmp_path / "study.db")))  # the server is restarted
+        again = flow.page(someone)
+        assert (again.stage, again.place) == (stage, place)
+        if page.sitting:
+            assert again.sitting.id == page.sitting.id
+            assert again.sitting.steps == page.sitting.steps
+            later = flow.step(someone, stage, place, "find a sink", 2, 1)
+            assert [str(step.decision.skill) for step in later.sitting.steps] == [
+                "find a fridge", "find a sink",
+            ]  # fmt: skip
+
+
+def test_a_doubled_click_or_an_older_tab_changes_nothing(flow, someone):
+    go_to(flow, someone, "trial")
+    flow.step(someone, "trial", 0, "find a fridge", 1, 1)
+    before = everything(flow)
+    with pytest.raises(StaleStep):
+        flow.step(someone, "trial", 0, "find a fridge", 1, 1)
+    with pytest.raises(StaleStep):
+        flow.done(someone, "trial", 0, 1)
+    with pytest.raises(StaleStep):
+        flow.step(someone, "practice", 0, "find a fridge", 2, 1)
+    with pytest.raises(UnknownSkill):
+        flow.step(someone, "trial", 0, "<script>alert(1)</script>", 2, 1)
+    assert everything(flow) == before
+
+
+@pytest.mark.parametrize("stage", ["tutorial", "practice", "quiz", "trial", "after", "end"])
+def test_no_stage_can_be_skipped(flow, someone, stage):
+    before = everything(flow)
+    attempts = {
+        "tutorial": lambda: flow.read(someone),
+        "practice": lambda: flow.done(someone, "practice", 0, 1),
+        "trial": lambda: flow.done(someone, "trial", 0, 1),
+    }
+    attempt = attempts.get(stage, lambda: flow.answer(someone, stage, 0, {}))
+    with pytest.raises(StaleStep):
+        attempt()
+    assert everything(flow) == before
+    with pytest.raises(ReibenchError):
+        flow.answer(someone, "consent", 0, {})
+
+
+@pytest.mark.parametrize("token", ["", "x", "' or 1=1 --", "../../etc/passwd"])
+def test_a_token_nobody_has_is_refused_by_everything(flow, token):
+    for attempt in (
+        lambda: flow.page(token),
+        lambda: flow.consent(token, agreed=True),
+        lambda: flow.read(token),
+        lambda: flow.step(token, "trial", 0, "find a fridge", 1, 1),
+        lambda: flow.done(token, "trial", 0, 1),
+        lambda: flow.answer(token, "quiz", 0, {}),
+        lambda: flow.withdraw(token),
+        lambda: flow.timed(token, "trial", 0, 0, (1, 2, 3)),
+    ):
+        with pytest.raises(UnknownName):
+            attempt()
+
+
+def test_a_wrong_quiz_is_explained_and_may_be_tried_once_more(flow, someone):
+    page = go_to(flow, someone, "quiz")
+    answers = right(page.questions) | {"shut": page.questions[0].options[0]}
+    page = flow.answer(someone, "quiz", 0, answers)
+    assert page.stage == "quiz"
+    assert [question.name for question in page.wrong] == ["shut"]
+    assert flow.answer(someone, "quiz", 0, right(page.questions)).stage == "trial"
+
+
+def test_a_second_wrong_quiz_ends_with_its_own_code(flow, someone, short):
+    page = go_to(flow, someone, "quiz")
+    answers = right(page.questions) | {"shut": page.questions[0].options[0]}
+    for _ in range(2):
+        page = flow.answer(someone, "quiz", 0, answers)
+    assert (page.stage, page.ending) == ("over", "failed_check")
+    assert page.code == short.codes["failed_check"]
+    with pytest.raises(StaleStep):
+        flow.answer(someone, "quiz", 0, right(short.quiz))
+
+
+def test_who_does_not_agree_is_let_go(flow, someone, short):
+    page = flow.consent(someone, agreed=False)
+    assert (page.ending, page.code) == ("no_consent", short.codes["no_consent"])
+    assert not flow.enrolment.store.query("select * from records")
+
+
+@pytest.mark.parametrize(
+    "answers",
+    [
+        {},
+        {"confidence": "9", "meant": "Mug"},
+        {"confidence": "4", "meant": "<b>Mug</b>"},
+        {"confidence": "4; drop table answers", "meant": "Mug"},
+        {"confidence": ["4"], "meant": "Mug"},
+    ],
+)
+def test_an_answer_that_is_none_is_refused_and_nothing_is_kept(flow, someone, answers):
+    go_to(flow, someone, "after")
+    before = everything(flow)
+    with pytest.raises(ReibenchError):
+        flow.answer(someone, "after", 0, answers)
+    assert everything(flow) == before
+
+
+def test_free_words_are_kept_as_they_are(flow, someone):
+    page = go_to(flow, someone, "end")
+    said = "<img src=x onerror=alert(1)>'; drop table answers; --"
+    flow.answer(someone, "end", 0, right(page.questions) | {"remarks": said})
+    [row] = flow.enrolment.store.query("select answer from answers where question = 'remarks'")
+    assert row["answer"] == said
+
+
+def test_leaving_deletes_what_was_done_and_keeps_that_somebody_was_here(flow, someone, short):
+    go_to(flow, someone, "trial", 1)
+    flow.step(someone, "trial", 1, "find a fridge", 1, 1)
+    flow.timed(someone, "trial", 1, 1, (1000.0, 2000.0, 0.0))
+    page = flow.withdraw(someone)
+    assert (page.ending, page.code) == ("withdrawn", short.codes["withdrawn"])
+    kept = everything(flow)
+    assert not kept["answers"]
+    assert not kept["records"]
+    assert not kept["steps"]
+    [row] = kept["participants"]
+    assert (row["state"], row["parameters"]) == ("withdrawn", "{}")
+    assert not flow.enrolment.store.query("select * from page_times")
+    again = flow.enrolment.arrive(short.name, {"SESSION_ID": "s"})
+    assert again.state == "withdrawn"
+    assert flow.withdraw(someone).ending == "withdrawn"
+
+
+def test_nothing_of_anyone_but_what_the_study_declares_is_kept(flow, short):
+    sent = {"SESSION_ID": "secret-session", "PROLIFIC_PID": "pid", "email": "a@b.c"}
+    flow.enrolment.arrive(short.name, sent)
+    [row] = flow.enrolment.store.query("select * from participants")
+    assert "a@b.c" not in str(row)
+    assert row["submission"] != "secret-session"
+
+
+def test_a_trial_whose_time_is_up_ends_by_itself(enrolment, short):
+    enrolment.create(replace(short, name="timed", trial_minutes=5))
+    flow = Flow(enrolment)
+    token = enrolment.arrive("timed", {}).token
+    page = go_to(flow, token, "trial")
+    with enrolment.store.writing() as database:
+        database.execute(
+            "update records set started = '2020-01-01T00:00:00.000+00:00' where id = ?",
+            [page.sitting.id],
+        )
+    with pytest.raises(StaleStep, match="over"):
+        flow.step(token, "trial", 0, "find a fridge", 1, 1)
+    assert flow.page(token).stage == "after"
+
+
+def test_a_spent_budget_ends_a_trial(enrolment, short):
+    enrolment.create(replace(short, name="brief", max_steps=2))
+    flow = Flow(enrolment)
+    token = enrolment.arrive("brief", {}).token
+    go_to(flow, token, "trial")
+    flow.step(token, "trial", 0, "find a fridge", 1, 1)
+    assert flow.step(token, "trial", 0, "find a sink", 2, 1).stage == "after"
