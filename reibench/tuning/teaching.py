@@ -21,7 +21,7 @@ Kind = Literal["planner", "resolver"]
 BASE = "gemma-3-270m"
 ROOMS = 60
 """Rooms of each kind to teach in."""
-SAMPLES: dict[Kind, int] = {"planner": 2400, "resolver": 2000}
+SAMPLES: dict[Kind, int] = {"planner": 2400, "resolver": 1600}
 NEEDED = ("torch", "transformers", "peft", "gguf")
 INSTALL = "pip install -r requirements-train.txt"
 
