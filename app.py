@@ -4,13 +4,15 @@ import argparse
 import os
 import sys
 from pathlib import Path
+from typing import Any
+from urllib.parse import urlencode
 
 os.environ.setdefault("GRADIO_ANALYTICS_ENABLED", "False")  # read when gradio is imported
 
 import gradio as gr
 import uvicorn
-from fastapi import FastAPI, HTTPException
-from fastapi.responses import FileResponse
+from fastapi import FastAPI, HTTPException, Request
+from fastapi.responses import FileResponse, RedirectResponse
 from fastapi.staticfiles import StaticFiles
 
 from reibench.backends.opening import open_backend
@@ -18,13 +20,15 @@ from reibench.commands.options import add_world, default_world
 from reibench.dataset.files import shipped_episodes
 from reibench.errors import ReibenchError
 from reibench.pages import demo
-from reibench.pages.head import HEAD
+from reibench.pages.head import HEAD, head
 from reibench.pages.listening import listen
 from reibench.run import RunSpec
 from reibench.sittings import Sittings
 from reibench.store import Store
 from reibench.worlds import Camera
 from reibench.worlds.naming import check_world
+from study import pages as study_pages
+from study.enrolment import Enrolment
 
 WEB = Path(__file__).parent / "assets" / "web"
 
@@ -44,11 +48,19 @@ def make_app(database: str, model: str = "", world: str = "embedded") -> FastAPI
             raise HTTPException(404, "There is no such frame.")
         return FileResponse(path, media_type="image/png")
 
+    @app.get("/s/{study}")
+    def take_part(study: str, request: Request) -> RedirectResponse:
+        query = urlencode({"study": study, **request.query_params})
+        return RedirectResponse(f"/study/?{query}")
+
+    shown: dict[str, Any] = {
+        "favicon_path": WEB / "favicon.svg", "footer_links": [], "run_history": False,
+        "enable_monitoring": False,
+    }  # fmt: skip
+    taking_part = study_pages.build(Enrolment(store))
+    gr.mount_gradio_app(app, taking_part, path="/study", head=head("study", "study"), **shown)
     page = demo.build(sittings, model=model)
-    return gr.mount_gradio_app(
-        app, page, path="/", head=HEAD, favicon_path=WEB / "favicon.svg", footer_links=[],
-        run_history=False, enable_monitoring=False,
-    )  # fmt: skip
+    return gr.mount_gradio_app(app, page, path="/", head=HEAD, **shown)
 
 
 def main() -> int:

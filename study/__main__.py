@@ -69,14 +69,14 @@ def _create(arguments: Namespace) -> int:
     what = "is kept" if changed else "was there already, unchanged"
     say(
         f"Study {study.name!r}, version {study.version}, {what}: {study.trials} of {tasks} tasks"
-        f" each, design {study.design}. People take part at /study/{study.name} of the app."
+        f" each, design {study.design}. People take part at /s/{study.name} of the app."
     )
     return 0
 
 
 def _invite(arguments: Namespace) -> int:
     for code in _enrolment(arguments).invite(arguments.study, arguments.n):
-        say(f"{arguments.link.rstrip('/')}/study/{arguments.study}?invite={code}")
+        say(f"{arguments.link.rstrip('/')}/s/{arguments.study}?invite={code}")
     return 0
 
 

@@ -63,6 +63,12 @@ class Assignment:
     episode: str
     record: str | None
 
+    @property
+    def room(self) -> str:
+        """The room it is in."""
+        [room] = [one.task.setup.room for one in _all_episodes() if one.id == self.episode]
+        return room
+
 
 class Enrolment:
     """Studies and participants in one database; safe from several threads and processes."""

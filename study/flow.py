@@ -48,6 +48,8 @@ class Page:
     code: str = ""
     """To be given back to whoever sent the participant."""
     link: str = ""
+    room: str = ""
+    """Where the task was that questions are asked about."""
 
 
 class Flow:
@@ -230,7 +232,8 @@ class Flow:
             return replace(page, ending=ending, code=code, link=link)
         asked = questions_at(study, stage)
         wrong = self._wrong(who, asked) if stage == "quiz" else ()
-        return replace(page, questions=asked, wrong=wrong)
+        room = self._given(who, "trial").room if stage == "after" else ""
+        return replace(page, questions=asked, wrong=wrong, room=room)
 
     def _sitting(self, who: Participant, study: Study, stage: Stage) -> Sitting:
         """Return the episode that is being played, begun if need be."""

@@ -10,10 +10,17 @@ THEME = """<script>
 })();
 </script>"""
 """Set before the first paint, so that nothing flashes."""
-HEAD = "\n".join(
-    [
-        THEME,
-        *(f'<link rel="stylesheet" href="/web/css/{name}.css">' for name in STYLES),
-        '<script type="module" src="/web/js/main.js"></script>',
-    ]
-)
+
+
+def head(script: str = "main", *styles: str) -> str:
+    """Return the head of a page with this script, and these styles after those of all pages."""
+    return "\n".join(
+        [
+            THEME,
+            *(f'<link rel="stylesheet" href="/web/css/{name}.css">' for name in (*STYLES, *styles)),
+            f'<script type="module" src="/web/js/{script}.js"></script>',
+        ]
+    )
+
+
+HEAD = head()

@@ -13,17 +13,20 @@ from reibench.view.topbar import room_name
 from reibench.view.words import a, states
 
 
-def room_panel(scenes: Sequence[Scene], *, live: bool = True, cameras: str = "") -> str:
+def room_panel(
+    scenes: Sequence[Scene], *, live: bool = True, cameras: str = "", called: str = ""
+) -> str:
     """Return the room after the last of `scenes`; the earlier ones decide what stays where.
 
     Args:
         scenes: the room at the start and after each step.
         live: whether things can be acted on.
         cameras: what cameras see, as markup; nothing where none are.
+        called: what to call the room instead of by its name.
     """
     scene = scenes[-1]
     layout = arrange(scenes, WIDE)
-    label = f"{room_name(scene.room)}, seen from above"
+    label = f"{called or room_name(scene.room)}, seen from above"
     wide = element("div", floor_plan(scene, layout, label=label), class_="wide-plan")
     small = floor_plan(scene, arrange(scenes, PHONE), label=label)
     narrow = element("div", small, class_="phone-plan")

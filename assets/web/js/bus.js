@@ -15,7 +15,7 @@ export function send(name, data = {}) {
     return 0;
   }
   sent += 1;
-  const payload = { ...choice(), ...run(), ...settings(), ...data, seq: sent };
+  const payload = { ...choice(), ...run(), ...settings(), ...window.reiExtra?.(), ...data, seq: sent };
   document.documentElement.classList.add("busy");
   clearTimeout(doubt);
   doubt = setTimeout(checkConnection, PATIENCE);

@@ -180,7 +180,8 @@ document.addEventListener("keydown", (event) => {
     sideKeys(event);
     return;
   }
-  if (recall("keys", true) && LETTERS[event.key.toLowerCase()]) {
+  // participants type: a letter that does something would surprise them
+  if (root.dataset.page !== "study" && recall("keys", true) && LETTERS[event.key.toLowerCase()]) {
     event.preventDefault();
     LETTERS[event.key.toLowerCase()]();
   }

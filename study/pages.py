@@ -1,0 +1,247 @@
+"""The participants' page: widgets and wiring."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import gradio as gr
+
+from reibench.errors import ReibenchError, StaleStep
+from reibench.pages.asking import visitor_token
+from reibench.view.icons import sprite
+from reibench.view.markup import element, text
+from reibench.view.screens import picker_panel
+from study import view
+from study.enrolment import Enrolment
+from study.flow import STAGES, Flow, Page, Stage
+
+BUS = """
+window.reiTrigger = (name, data) => trigger(name, data);
+window.dispatchEvent(new Event("rei:bus"));
+// events: 'consent' 'read' 'step' 'done' 'answer' 'withdraw'
+"""
+PARTS = ("where", "bar", "talk", "room", "act", "card", "extra")
+Answer = tuple[Any, ...]
+
+
+@dataclass(frozen=True)
+class Sent:
+    """What an event from the browser carries; anything odd counts as not given."""
+
+    seq: int
+    stage: Stage
+    place: int
+    expected: int
+    skill: str
+    seconds: float | None
+    agreed: bool
+    answers: Mapping[str, Any]
+    times: tuple[float, float, float] | None
+
+    @classmethod
+    def read(cls, sent: object) -> "Sent":
+        """Read an event; raises StaleStep for a stage there is none of."""
+        data: Mapping[str, Any] = sent if isinstance(sent, Mapping) else {}
+        stage = next((one for one in STAGES if one == data.get("stage")), None)
+        if stage is None:
+            raise StaleStep("This page was behind. It now shows where you are.")
+        answers = data.get("answers")
+        return cls(
+            seq=_whole(data.get("seq")),
+            stage=stage,
+            place=_whole(data.get("place")),
+            expected=_whole(data.get("expected")),
+            skill=str(data.get("skill") or "")[:200],
+            seconds=_number(data.get("seconds")),
+            agreed=data.get("agreed") is True,
+            answers=answers if isinstance(answers, Mapping) else {},
+            times=_times(data),
+        )
+
+
+def build(enrolment: Enrolment) -> gr.Blocks:
+    """Return the participants' page as a Gradio app, for every study of the database."""
+    taking_part = TakingPart(enrolment)
+    blocks: gr.Blocks = gr.Blocks(title="Study", analytics_enabled=False)
+    with blocks:
+        visitor = gr.BrowserState({}, storage_key="reibench-study", secret="reibench")
+        bus = gr.HTML(_frame(), elem_id="bus", js_on_load=BUS, apply_default_css=False)
+        reply, parts = _lay_out()
+        outputs = [reply, *parts]
+        quick: dict[str, Any] = {
+            "queue": False,
+            "show_progress": "hidden",
+            "api_visibility": "private",
+            "trigger_mode": "multiple",
+        }
+        for name in ("consent", "read", "step", "done", "answer", "withdraw"):
+            getattr(bus, name)(getattr(taking_part, name), [visitor], outputs, **quick)
+        blocks.load(taking_part.arrive, [visitor], [visitor, *outputs], **quick)
+    return blocks
+
+
+def _frame() -> str:
+    skip = element("a", "To the task", href="#skill", class_="skip")
+    live = element("div", id="live", class_="sr", aria_live="polite", role="status")
+    return skip + sprite() + live
+
+
+def _lay_out() -> tuple[gr.HTML, list[gr.HTML]]:
+    def part(start: str = "", **options: Any) -> gr.HTML:
+        return gr.HTML(start, apply_default_css=False, **options)
+
+    with gr.Column(elem_id="frame"):
+        reply = part(elem_id="reply", elem_classes="keeps")
+        where = part(elem_classes="keeps")
+        bar = part(elem_id="bar")
+        with gr.Row(elem_id="cols"):
+            with gr.Column(elem_classes="part d-dialogue"):
+                talk = part(elem_classes="fills")
+            with gr.Column(elem_classes="part d-actor"):
+                part(picker_panel(), elem_id="picker", elem_classes="keeps")
+                act = part(elem_classes="fills")
+            with gr.Column(elem_classes="part d-room"):
+                room = part(elem_classes="fills")
+        card = part(elem_id="page")
+        extra = part(elem_id="extra", elem_classes="keeps")
+    return reply, [where, bar, talk, room, act, card, extra]
+
+
+class TakingPart:
+    """The page's handlers: each looks up who it is by their token, and lets the flow decide."""
+
+    def __init__(self, enrolment: Enrolment) -> None:
+        self._enrolment = enrolment
+        self._flow = Flow(enrolment)
+
+    def arrive(self, known: object, request: gr.Request) -> Answer:
+        """Take somebody in, or show who came before where they were."""
+        wanted = {key: str(value)[:200] for key, value in request.query_params.items()}
+        name, invite = wanted.get("study", ""), wanted.get("invite", "")
+        tokens = dict(known) if isinstance(known, Mapping) else {}
+        try:
+            token = self._token(tokens.get(name), name, invite, wanted)
+            page = self._flow.page(token)
+        except ReibenchError as problem:
+            return (gr.skip(), *_answer(0, None, str(problem)))
+        return ({**tokens, name: token}, *_answer(0, page))
+
+    def _token(self, known: object, name: str, invite: str, parameters: Mapping[str, str]) -> str:
+        token = known if isinstance(known, str) and visitor_token(known) == known else ""
+        if token:
+            try:
+                if self._enrolment.participant(token).study == name:
+                    return token
+            except ReibenchError:
+                pass  # of another database, or made up
+        return self._enrolment.arrive(name, parameters, invite=invite).token
+
+    def consent(self, known: object, event: gr.EventData, request: gr.Request) -> Answer:
+        """Agree, or not."""
+        return self._do(
+            known, event, request, lambda token, sent: self._flow.consent(token, agreed=sent.agreed)
+        )
+
+    def read(self, known: object, event: gr.EventData, request: gr.Request) -> Answer:
+        """Have read the instructions."""
+        return self._do(known, event, request, lambda token, sent: self._flow.read(token))
+
+    def step(self, known: object, event: gr.EventData, request: gr.Request) -> Answer:
+        """Carry out a skill."""
+        return self._do(
+            known,
+            event,
+            request,
+            lambda token, sent: self._flow.step(
+                token, sent.stage, sent.place, sent.skill, sent.expected, sent.seconds
+            ),
+        )
+
+    def done(self, known: object, event: gr.EventData, request: gr.Request) -> Answer:
+        """Say that the wish is carried out."""
+        return self._do(
+            known,
+            event,
+            request,
+            lambda token, sent: self._flow.done(token, sent.stage, sent.place, sent.expected),
+        )
+
+    def answer(self, known: object, event: gr.EventData, request: gr.Request) -> Answer:
+        """Answer questions."""
+        return self._do(
+            known,
+            event,
+            request,
+            lambda token, sent: self._flow.answer(token, sent.stage, sent.place, sent.answers),
+        )
+
+    def withdraw(self, known: object, event: gr.EventData, request: gr.Request) -> Answer:
+        """Leave the study."""
+        return self._do(known, event, request, lambda token, sent: self._flow.withdraw(token))
+
+    def _do(
+        self,
+        known: object,
+        event: gr.EventData,
+        request: gr.Request,
+        act: Callable[[str, Sent], Page],
+    ) -> Answer:
+        """Let somebody do something, and show where they are then, and what was in the way."""
+        data = event._data if isinstance(event._data, Mapping) else {}
+        seq, name = _whole(data.get("seq")), str(data.get("study") or "")
+        token = known.get(name) if isinstance(known, Mapping) else None
+        if not isinstance(token, str):
+            return _answer(seq, None, "Please open the link to the study again.")
+        notice = ""
+        try:
+            sent = Sent.read(data)
+            if sent.times:
+                self._flow.timed(token, sent.stage, sent.place, sent.expected, sent.times)
+            page = act(token, sent)
+        except ReibenchError as problem:
+            notice = str(problem)
+            try:
+                page = self._flow.page(token)
+            except ReibenchError:
+                return _answer(seq, None, "Please open the link to the study again.")
+        return _answer(seq, page, notice)
+
+
+def _answer(seq: int, page: Page | None, notice: str = "") -> Answer:
+    """Return the new values of the page's parts, after the number of what is answered."""
+    stamp = f'<i data-reply="{seq}" hidden></i>'
+    if page is None:
+        told = element("main", element("p", text(notice), role="alert"), class_="card", id="card")
+        return (stamp, "", "", "", "", "", told, "")
+    playing = page.sitting
+    extra = view.leaving() + view.helping(page.study) if page.stage != "over" else ""
+    if playing is None:
+        return (
+            stamp, view.where(page), view.header(page), "", "", "", view.card(page, notice), extra,
+        )  # fmt: skip
+    room = view.room(playing) if page.study.shows == "text and room" else ""
+    return (
+        stamp,
+        view.where(page),
+        view.header(page),
+        view.talk(playing),
+        room,
+        view.actions(page, playing, notice),
+        "",
+        extra,
+    )
+
+
+def _whole(value: object) -> int:
+    return value if isinstance(value, int) and not isinstance(value, bool) else 0
+
+
+def _number(value: object) -> float | None:
+    usable = isinstance(value, int | float) and not isinstance(value, bool) and 0 <= value < 1e6
+    return float(value) if usable and isinstance(value, int | float) else None
+
+
+def _times(data: Mapping[str, Any]) -> tuple[float, float, float] | None:
+    found = [data.get(name) for name in ("shown", "left", "hidden")]
+    numbers = [float(each) for each in found if isinstance(each, int | float)]
+    return (numbers[0], numbers[1], numbers[2]) if len(numbers) == 3 else None
