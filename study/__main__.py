@@ -3,8 +3,11 @@
 import logging
 import sys
 from argparse import ArgumentParser, Namespace
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from reibench.commands.options import add_database, add_json, existing_database
 from reibench.commands.output import say, say_json, table, tell
@@ -12,7 +15,9 @@ from reibench.errors import ReibenchError
 from reibench.store import Store
 from study.config import read_study
 from study.enrolment import RUN_STATES, Enrolment
+from study.exporting import export
 from study.status import status_of
+from study.texts import FOLDER
 
 
 def parser() -> ArgumentParser:
@@ -31,9 +36,12 @@ def parser() -> ArgumentParser:
     invite.set_defaults(command=_invite)
     status = sub.add_parser("status", help="who is where, and how full the cells are")
     status.add_argument("study", nargs="?", help="one study (default: a line for each)")
+    status.add_argument("--simulated", action="store_true", help="of simulated people instead")
     add_database(status)
     add_json(status)
     status.set_defaults(command=_status)
+    _add_export(sub.add_parser)
+    _add_simulations(sub.add_parser)
     for state, verb in zip(RUN_STATES, ("open", "pause", "stop"), strict=True):
         change = sub.add_parser(verb, help=f"the study is {state} from now on")
         change.add_argument("study")
@@ -41,6 +49,35 @@ def parser() -> ArgumentParser:
         add_database(change)
         change.set_defaults(command=_change, state=state)
     return top
+
+
+def _add_export(add: Callable[..., ArgumentParser]) -> None:
+    export = add("export", help="tidy tables: CSV, JSONL and a codebook")
+    export.add_argument("study")
+    export.add_argument("--out", type=Path, required=True, help="the folder to write to")
+    export.add_argument(
+        "--everybody", action="store_true", help="simulated and rejected people too, marked"
+    )
+    add_database(export)
+    export.set_defaults(command=_export)
+
+
+def _add_simulations(add: Callable[..., ArgumentParser]) -> None:
+    simulate = add("simulate", help="let simulated people take part, marked as such")
+    simulate.add_argument("study")
+    simulate.add_argument("--n", type=int, default=30, help="how many (default: %(default)s)")
+    simulate.add_argument(
+        "--skill", type=float, default=0.8, help="share of trials done right (default: %(default)s)"
+    )
+    simulate.add_argument("--leave", type=float, default=0.02, help="share of trials left at")
+    simulate.add_argument("--together", type=int, default=4, help="so many at a time")
+    simulate.add_argument("--seed", type=int, default=1)
+    add_database(simulate)
+    simulate.set_defaults(command=_simulate)
+    bench = add("bench", help="how fast the pages answer many participants at once")
+    bench.add_argument("--participants", type=int, default=50)
+    add_json(bench)
+    bench.set_defaults(command=_bench)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -80,6 +117,44 @@ def _invite(arguments: Namespace) -> int:
     return 0
 
 
+def _export(arguments: Namespace) -> int:
+    enrolment = _enrolment(arguments)
+    for file in export(enrolment, arguments.study, arguments.out, everybody=arguments.everybody):
+        say(str(file))
+    return 0
+
+
+def _simulate(arguments: Namespace) -> int:
+    from study.simulating import Character, Simulation  # gradio takes seconds to import
+
+    if not 0 <= arguments.skill <= 1 or not 0 <= arguments.leave <= 1:
+        raise ReibenchError("--skill and --leave are shares, from 0 to 1.")
+    if arguments.n < 1 or arguments.together < 1:
+        raise ReibenchError("--n and --together must be at least 1.")
+    character = Character(skill=arguments.skill, leave=arguments.leave)
+    simulation = Simulation(_enrolment(arguments), arguments.study, character, arguments.seed)
+    outcomes = simulation.run(arguments.n, together=arguments.together, tell=tell)
+    say(table(sorted(Counter(one.state for one in outcomes).items()), ["people", "number"]))
+    return 0
+
+
+def _bench(arguments: Namespace) -> int:
+    from study.simulating import bench
+
+    if arguments.participants < 1:
+        raise ReibenchError("--participants must be at least 1.")
+    with TemporaryDirectory(prefix="reibench-study-") as folder:
+        enrolment = Enrolment(Store(Path(folder) / "bench.db"))
+        study = replace(read_study(FOLDER / "study.toml"), people=0)
+        enrolment.create(study)
+        result = bench(enrolment, study.name, arguments.participants, tell)
+    if arguments.json:
+        say_json(result)
+    else:
+        say(table(list(result.items()), ["measured", "value"]))
+    return 0
+
+
 def _change(arguments: Namespace) -> int:
     _enrolment(arguments).set_state(arguments.study, arguments.state, arguments.reason)
     say(f"Study {arguments.study!r} is {arguments.state}.")
@@ -95,7 +170,7 @@ def _status(arguments: Namespace) -> int:
         else:
             say(table([list(row.values()) for row in rows], ["study", "version", "state", "since"]))
         return 0
-    status = status_of(enrolment, arguments.study)
+    status = status_of(enrolment, arguments.study, simulated=arguments.simulated)
     if arguments.json:
         say_json(status)
         return 0

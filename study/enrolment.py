@@ -160,9 +160,10 @@ class Enrolment:
             known = _known(database, name, invite, submission)
             if known:
                 return known
-            self._admit(database, study, invite)
+            self._admit(database, study, invite, simulated=simulated)
             code, token = _code(6), secrets.token_urlsafe(16)
-            slot, filled = _slot(database, study), _filled(database, study)
+            slot = _slot(database, study, simulated=simulated)
+            filled = _filled(database, study, simulated=simulated)
             seed = Random(f"{study.name}/{study.seed}/{code}").randrange(2**31)
             chosen = designs.create(study.design).assign(
                 _pool(study), study.trials, slot, filled, Random(seed)
@@ -181,7 +182,7 @@ class Enrolment:
             _assign(database, code, study, chosen)
         return self.participant(token)
 
-    def _admit(self, database: Database, study: Study, invite: str) -> None:
+    def _admit(self, database: Database, study: Study, invite: str, *, simulated: bool) -> None:
         state = database.execute(
             "select state from studies where name = ?", [study.name]
         ).fetchone()[0]
@@ -196,7 +197,7 @@ class Enrolment:
             raise Closed("This invitation is not known. Please use the link as it was sent to you.")
         if study.invited_only and not invite:
             raise Closed("This study is for people who were invited. Please use your own link.")
-        if study.people and _slot(database, study) >= study.people:
+        if study.people and _slot(database, study, simulated=simulated) >= study.people:
             raise Closed("This study has all the people it needs. Thank you for your interest.")
 
     def participant(self, token: str) -> Participant:
@@ -206,10 +207,10 @@ class Enrolment:
             raise unknown("participant", "(a token)", ())
         return _participant(rows[0])
 
-    def filled(self, study: Study) -> dict[str, int]:
+    def filled(self, study: Study, *, simulated: bool = False) -> dict[str, int]:
         """Return how often each episode is held by who finished or takes part, by its id."""
         with self.store.writing() as database:
-            return _filled(database, study)
+            return _filled(database, study, simulated=simulated)
 
     def assignments(self, code: str, kind: str = "trial") -> list[Assignment]:
         """Return what a participant is to play, in order."""
@@ -239,25 +240,28 @@ def _participant(row: Mapping[str, Any]) -> Participant:
     )
 
 
-def _holding(study: Study) -> tuple[str, list[object]]:
-    """Return the condition for participants who hold their place, and its parameters."""
+def _holding(study: Study, *, simulated: bool) -> tuple[str, list[object]]:
+    """Return the condition for participants who hold their place, and its parameters.
+
+    Simulated people take no place from real ones.
+    """
     since = datetime.now(UTC) - timedelta(minutes=study.recent_minutes)
     return (
-        "study = ? and (state = 'finished' or (state = 'active' and seen > ?))",
-        [study.name, since.isoformat(timespec="milliseconds")],
+        "study = ? and simulated = ? and (state = 'finished' or (state = 'active' and seen > ?))",
+        [study.name, simulated, since.isoformat(timespec="milliseconds")],
     )
 
 
-def _slot(database: Database, study: Study) -> int:
+def _slot(database: Database, study: Study, *, simulated: bool) -> int:
     """Return the least slot that nobody holds."""
-    where, values = _holding(study)
+    where, values = _holding(study, simulated=simulated)
     rows = database.execute(f"select slot from participants where {where}", values).fetchall()
     held = {row[0] for row in rows}
     return next(slot for slot in range(len(held) + 1) if slot not in held)
 
 
-def _filled(database: Database, study: Study) -> dict[str, int]:
-    where, values = _holding(study)
+def _filled(database: Database, study: Study, *, simulated: bool) -> dict[str, int]:
+    where, values = _holding(study, simulated=simulated)
     rows = database.execute(
         "select episode, count(*) from assignments join participants on participant = code"
         f" where kind = 'trial' and {where} group by episode",

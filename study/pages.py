@@ -110,9 +110,11 @@ def _lay_out() -> tuple[gr.HTML, list[gr.HTML]]:
 class TakingPart:
     """The page's handlers: each looks up who it is by their token, and lets the flow decide."""
 
-    def __init__(self, enrolment: Enrolment) -> None:
+    def __init__(self, enrolment: Enrolment, *, simulated: bool = False) -> None:
+        """Serve the studies of a database; `simulated` marks everybody who comes."""
         self._enrolment = enrolment
-        self._flow = Flow(enrolment)
+        self.flow = Flow(enrolment)
+        self._simulated = simulated
 
     def arrive(self, known: object, request: gr.Request) -> Answer:
         """Take somebody in, or show who came before where they were."""
@@ -121,7 +123,7 @@ class TakingPart:
         tokens = dict(known) if isinstance(known, Mapping) else {}
         try:
             token = self._token(tokens.get(name), name, invite, wanted)
-            page = self._flow.page(token)
+            page = self.flow.page(token)
         except ReibenchError as problem:
             return (gr.skip(), *_answer(0, None, str(problem)))
         return ({**tokens, name: token}, *_answer(0, page))
@@ -134,56 +136,54 @@ class TakingPart:
                     return token
             except ReibenchError:
                 pass  # of another database, or made up
-        return self._enrolment.arrive(name, parameters, invite=invite).token
+        return self._enrolment.arrive(
+            name, parameters, invite=invite, simulated=self._simulated
+        ).token
 
-    def consent(self, known: object, event: gr.EventData, request: gr.Request) -> Answer:
+    def consent(self, known: object, event: gr.EventData) -> Answer:
         """Agree, or not."""
         return self._do(
-            known, event, request, lambda token, sent: self._flow.consent(token, agreed=sent.agreed)
+            known, event, lambda token, sent: self.flow.consent(token, agreed=sent.agreed)
         )
 
-    def read(self, known: object, event: gr.EventData, request: gr.Request) -> Answer:
+    def read(self, known: object, event: gr.EventData) -> Answer:
         """Have read the instructions."""
-        return self._do(known, event, request, lambda token, sent: self._flow.read(token))
+        return self._do(known, event, lambda token, sent: self.flow.read(token))
 
-    def step(self, known: object, event: gr.EventData, request: gr.Request) -> Answer:
+    def step(self, known: object, event: gr.EventData) -> Answer:
         """Carry out a skill."""
         return self._do(
             known,
             event,
-            request,
-            lambda token, sent: self._flow.step(
+            lambda token, sent: self.flow.step(
                 token, sent.stage, sent.place, sent.skill, sent.expected, sent.seconds
             ),
         )
 
-    def done(self, known: object, event: gr.EventData, request: gr.Request) -> Answer:
+    def done(self, known: object, event: gr.EventData) -> Answer:
         """Say that the wish is carried out."""
         return self._do(
             known,
             event,
-            request,
-            lambda token, sent: self._flow.done(token, sent.stage, sent.place, sent.expected),
+            lambda token, sent: self.flow.done(token, sent.stage, sent.place, sent.expected),
         )
 
-    def answer(self, known: object, event: gr.EventData, request: gr.Request) -> Answer:
+    def answer(self, known: object, event: gr.EventData) -> Answer:
         """Answer questions."""
         return self._do(
             known,
             event,
-            request,
-            lambda token, sent: self._flow.answer(token, sent.stage, sent.place, sent.answers),
+            lambda token, sent: self.flow.answer(token, sent.stage, sent.place, sent.answers),
         )
 
-    def withdraw(self, known: object, event: gr.EventData, request: gr.Request) -> Answer:
+    def withdraw(self, known: object, event: gr.EventData) -> Answer:
         """Leave the study."""
-        return self._do(known, event, request, lambda token, sent: self._flow.withdraw(token))
+        return self._do(known, event, lambda token, sent: self.flow.withdraw(token))
 
     def _do(
         self,
         known: object,
         event: gr.EventData,
-        request: gr.Request,
         act: Callable[[str, Sent], Page],
     ) -> Answer:
         """Let somebody do something, and show where they are then, and what was in the way."""
@@ -196,12 +196,12 @@ class TakingPart:
         try:
             sent = Sent.read(data)
             if sent.times:
-                self._flow.timed(token, sent.stage, sent.place, sent.expected, sent.times)
+                self.flow.timed(token, sent.stage, sent.place, sent.expected, sent.times)
             page = act(token, sent)
         except ReibenchError as problem:
             notice = str(problem)
             try:
-                page = self._flow.page(token)
+                page = self.flow.page(token)
             except ReibenchError:
                 return _answer(seq, None, "Please open the link to the study again.")
         return _answer(seq, page, notice)

@@ -6,14 +6,16 @@ from typing import Any
 from study.enrolment import Enrolment
 
 
-def status_of(enrolment: Enrolment, name: str) -> dict[str, Any]:
-    """Return the people of a study by state, and the trials held at each level."""
+def status_of(enrolment: Enrolment, name: str, *, simulated: bool = False) -> dict[str, Any]:
+    """Return a study's people by state, real or simulated, and the trials held at each level."""
     study = enrolment.study(name)
     [about] = [row for row in enrolment.studies() if row["name"] == name]
     people = enrolment.store.query(
-        "select state, count(*) as number from participants where study = ? group by state", [name]
+        "select state, count(*) as number from participants where study = ? and simulated = ?"
+        " group by state",
+        [name, simulated],
     )
-    filled = enrolment.filled(study)
+    filled = enrolment.filled(study, simulated=simulated)
     levels: Counter[str] = Counter({str(episode.vagueness): 0 for episode in study.chosen()})
     for episode, number in filled.items():
         levels[episode.rpartition(".")[2]] += number

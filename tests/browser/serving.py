@@ -29,9 +29,12 @@ def free_port() -> int:
 
 @contextmanager
 def app(
-    database: Path, *, model: str = "", world: str = "embedded", port: int = 0
+    database: Path, *, model: str = "", world: str = "embedded", port: int = 0, kill: bool = False
 ) -> Iterator[str]:
-    """Run `python app.py` in a process of its own, and give its address once it answers."""
+    """Run `python app.py` in a process of its own, and give its address once it answers.
+
+    It is asked to end afterwards, or killed without a word (SIGKILL).
+    """
     port = port or free_port()
     command = [sys.executable, "app.py", "--port", str(port), "--db", str(database)]
     command += ["--world", world]
@@ -47,7 +50,7 @@ def app(
             _wait(address, process, log)
             yield address
         finally:
-            process.terminate()
+            process.kill() if kill else process.terminate()
             process.wait(20)
 
 

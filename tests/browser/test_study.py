@@ -1,0 +1,211 @@
+"""A person takes part in a study, in a real browser, whatever happens on the way."""
+
+from dataclasses import replace
+
+import pytest
+from playwright.sync_api import expect
+
+from reibench.store import Store
+from study.config import read_study
+from study.enrolment import Enrolment
+from tests.browser import serving
+from tests.study.conftest import EXAMPLE
+
+
+class Participant:
+    """A browser with the study open, and its own log of what the server acknowledged."""
+
+    def __init__(self, page, address):
+        self.page, self.address = page, address
+        self.acknowledged = []
+        self.trouble = []
+        page.on("pageerror", lambda error: self.trouble.append(str(error)))
+
+    def arrive(self, query=""):
+        self.page.goto(f"{self.address}/s/household{query}")
+        self.page.wait_for_selector("#where", state="attached")
+        return self
+
+    def at(self, stage, place=0):
+        here = f"#where[data-stage='{stage}'][data-place='{place}']"
+        self.page.wait_for_selector(here, state="attached")
+
+    def press(self, what):
+        self.page.click(f"[data-do={what}]")
+
+    def reload(self, stage, place=0):
+        self.page.reload()
+        self.at(stage, place)
+
+    def do(self, skill):
+        number = int(self.page.get_attribute("#act", "data-expected"))
+        self.page.fill("#skill", skill)
+        self.page.keyboard.press("Enter")
+        self.page.wait_for_selector(f"#act[data-expected='{number + 1}']")
+        said = self.page.locator(".steps li b").all_inner_texts()
+        assert said[-1] == skill
+        self.acknowledged.append(skill)
+
+    def answer_quiz(self):
+        for fieldset in self.page.locator("#questions fieldset").all():
+            fieldset.locator("input").nth(1).check()
+        self.press("answer")
+
+    def answer_after(self):
+        self.page.check("input[name=confidence][value='4']")
+        self.page.select_option("select[name=meant]", index=1)
+        self.press("answer")
+
+
+@pytest.fixture
+def study(tmp_path):
+    """A study of three trials, in a database that is served later."""
+    enrolment = Enrolment(Store(tmp_path / "study.db"))
+    enrolment.create(replace(read_study(EXAMPLE), trials=3, people=0))
+    return enrolment
+
+
+def steps_of(enrolment):
+    rows = enrolment.store.query(
+        "select skill from steps join records on id = record where origin = 'study'"
+        " order by steps.created, number"
+    )
+    return [row["skill"] for row in rows]
+
+
+def test_the_whole_way_with_reloads_and_a_killed_server(chromium, study, tmp_path):
+    port = serving.free_port()
+    page = chromium.new_context(viewport={"width": 1280, "height": 800}).new_page()
+    person = Participant(page, f"http://127.0.0.1:{port}")
+    with serving.app(tmp_path / "study.db", port=port, kill=True):
+        person.arrive("?PROLIFIC_PID=p1&SESSION_ID=s1&STUDY_ID=x")
+        person.at("consent")
+        assert "p1" not in page.url
+        assert "s1" not in page.url
+        person.reload("consent")
+        page.check("#agree")
+        person.press("agree")
+        person.at("tutorial")
+        person.reload("tutorial")
+        person.press("read")
+        person.at("practice")
+        person.do("find a key chain")
+        person.reload("practice")
+        person.do("pick up the key chain")
+        person.press("done")
+        person.at("quiz")
+        person.reload("quiz")
+        person.answer_quiz()
+        person.at("trial")
+        person.do("find a drawer")
+    # killed in the middle of a trial; the page waits and goes on by itself
+    with serving.app(tmp_path / "study.db", port=port):
+        expect(page.locator(".steps li")).to_have_count(1)
+        person.reload("trial")
+        person.do("open the drawer")
+        person.press("done")
+        person.at("after")
+        person.reload("after")
+        person.answer_after()
+        for place in (1, 2):
+            person.at("trial", place)
+            person.do("find a sink")
+            person.reload("trial", place)
+            person.do("find a drawer")
+            person.press("done")
+            person.at("after", place)
+            person.answer_after()
+        person.at("end")
+        person.reload("end")
+        page.check("input[value=sometimes]")
+        person.press("answer")
+        person.at("over")
+        expect(page.locator("#code")).to_have_text("REI-DONE")
+        person.reload("over")
+        expect(page.locator("#code")).to_have_text("REI-DONE")
+    assert steps_of(study) == person.acknowledged
+    assert not person.trouble
+    [row] = study.store.query("select state from participants")
+    assert row["state"] == "finished"
+    times = study.store.query("select * from page_times where stage = 'trial'")
+    assert len(times) >= 9
+    assert all(row["left"] >= row["shown"] for row in times)
+
+
+@pytest.fixture
+def served(chromium, study, tmp_path):
+    """Serve the study, and open it for as many people as are asked for."""
+    with serving.app(tmp_path / "study.db") as address:
+
+        def join(**how):
+            context = chromium.new_context(**how)
+            return Participant(context.new_page(), address).arrive()
+
+        yield join
+
+
+def test_with_the_keyboard_alone_and_nothing_told_that_should_not_be(served):
+    person = served(viewport={"width": 390, "height": 844})
+    page = person.page
+    page.wait_for_selector("#agree")
+    page.focus("#agree")
+    page.keyboard.press("Space")
+    page.keyboard.press("Tab")
+    page.keyboard.press("Tab")
+    page.keyboard.press("Enter")
+    person.at("tutorial")
+    page.focus("[data-do=read]")
+    page.keyboard.press("Enter")
+    person.at("practice")
+    page.focus("#skill")
+    page.keyboard.type("find a key")
+    page.keyboard.press("Enter")
+    page.wait_for_selector(".steps li")
+    person.press("done")
+    person.at("quiz")
+    person.answer_quiz()
+    person.at("trial")
+    html = page.content().lower()
+    for word in ("vague", "explicit", "implicit", "mixed-", "goal", "tocc", "planner", "seed"):
+        assert word not in html, word
+    assert "solution" not in html
+    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+
+
+def test_an_older_tab_catches_up_and_another_browser_is_another_person(served):
+    person = served()
+    page = person.page
+    page.wait_for_selector("#agree")
+    other = Participant(page.context.new_page(), person.address).arrive()
+    other.at("consent")
+    page.check("#agree")
+    person.press("agree")
+    person.at("tutorial")
+    other.page.check("#agree")
+    other.press("agree")
+    other.at("tutorial")
+    expect(other.page.locator(".card .notice")).to_contain_text("behind")
+    stranger = served()
+    stranger.at("consent")
+
+
+def test_leaving_asks_once_more_and_deletes(served, study):
+    person = served()
+    person.page.check("#agree")
+    person.press("agree")
+    person.at("tutorial")
+    person.press("leave-study")
+    person.press("stay")
+    person.press("leave-study")
+    person.press("withdraw")
+    person.at("over")
+    expect(person.page.locator("#code")).to_have_text("REI-LEFT")
+    [row] = study.store.query("select state from participants")
+    assert row["state"] == "withdrawn"
+
+
+def test_a_study_there_is_none_of_is_said_in_a_sentence(served):
+    person = served()
+    person.page.goto(f"{person.address}/s/%3Cimg%20src=x%20onerror=alert(1)%3E")
+    expect(person.page.locator("#card")).to_contain_text("No study called")
+    assert not person.trouble
