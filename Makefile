@@ -31,6 +31,6 @@ $(VENV)/.runtime: requirements.txt | $(VENV)/bin/python
 	$(BIN)/pip install --disable-pip-version-check -r requirements.txt
 	@touch $@
 
-$(VENV)/.tests: requirements.txt requirements-hf.txt requirements-ray.txt requirements-train.txt tests/requirements.txt | $(VENV)/bin/python
+$(VENV)/.tests: requirements.txt requirements-hf.txt requirements-ray.txt requirements-train.txt requirements-study.txt tests/requirements.txt | $(VENV)/bin/python
 	$(BIN)/pip install --disable-pip-version-check -r tests/requirements.txt
 	@touch $@ $(VENV)/.runtime

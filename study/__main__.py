@@ -9,7 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from reibench.commands.options import add_database, add_json, existing_database
+from reibench.commands.options import add_database, add_json, existing_database, listed
 from reibench.commands.output import say, say_json, table, tell
 from reibench.errors import ReibenchError
 from reibench.store import Store
@@ -41,6 +41,7 @@ def parser() -> ArgumentParser:
     add_json(status)
     status.set_defaults(command=_status)
     _add_export(sub.add_parser)
+    _add_analysis(sub.add_parser)
     _add_simulations(sub.add_parser)
     for state, verb in zip(RUN_STATES, ("open", "pause", "stop"), strict=True):
         change = sub.add_parser(verb, help=f"the study is {state} from now on")
@@ -60,6 +61,20 @@ def _add_export(add: Callable[..., ArgumentParser]) -> None:
     )
     add_database(export)
     export.set_defaults(command=_export)
+
+
+def _add_analysis(add: Callable[..., ArgumentParser]) -> None:
+    analysis = add("analysis", help="people by level and type, and beside planners' runs")
+    analysis.add_argument("study")
+    analysis.add_argument(
+        "--runs", default="", help="ids of runs to compare with, with commas (default: all)"
+    )
+    analysis.add_argument(
+        "--everybody", action="store_true", help="count simulated and rejected people in"
+    )
+    add_database(analysis)
+    add_json(analysis)
+    analysis.set_defaults(command=_analysis)
 
 
 def _add_simulations(add: Callable[..., ArgumentParser]) -> None:
@@ -121,6 +136,18 @@ def _export(arguments: Namespace) -> int:
     enrolment = _enrolment(arguments)
     for file in export(enrolment, arguments.study, arguments.out, everybody=arguments.everybody):
         say(str(file))
+    return 0
+
+
+def _analysis(arguments: Namespace) -> int:
+    from study.analysis import analyse, lines  # pandas takes a second to import
+
+    runs = listed(arguments.runs)
+    found = analyse(_enrolment(arguments), arguments.study, runs, everybody=arguments.everybody)
+    if arguments.json:
+        say_json(found)
+    else:
+        say("\n".join(lines(found)))
     return 0
 
 

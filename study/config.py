@@ -5,6 +5,7 @@ import tomllib
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, fields
+from functools import lru_cache
 from itertools import zip_longest
 from pathlib import Path
 from random import Random
@@ -102,7 +103,7 @@ class Study:
         """Return the episodes that trials are drawn from, without those practised."""
         practised = {name.partition(".")[0] for name in self.practice}
         by_task: dict[str, list[Episode]] = defaultdict(list)
-        for episode in select(shipped_episodes(), self.episodes):
+        for episode in select(list(all_episodes()), self.episodes):
             if episode.task.id not in practised:
                 by_task[episode.task.id].append(episode)
         whole = [
@@ -123,6 +124,12 @@ def _spread(
         by_type[by_task[task][0].task.goal.task_type].append(task)
     turns = zip_longest(*(by_type[kind] for kind in sorted(by_type)))
     return [task for turn in turns for task in turn if task][:number]
+
+
+@lru_cache(maxsize=1)
+def all_episodes() -> tuple[Episode, ...]:
+    """Return every shipped episode, read once."""
+    return tuple(shipped_episodes())
 
 
 def from_json(text: str) -> Study:
@@ -238,7 +245,7 @@ def _check_names(study: Study) -> None:
 
 
 def _check_episodes(study: Study) -> None:
-    shipped = {episode.id for episode in shipped_episodes()}
+    shipped = {episode.id for episode in all_episodes()}
     for name in study.practice:
         if name not in shipped:
             raise unknown("episode to practise", name, shipped)

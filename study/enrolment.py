@@ -11,13 +11,12 @@ from typing import Any, Literal, get_args
 
 from sqlite_utils import Database
 
-from reibench.dataset.files import shipped_episodes
 from reibench.episode import Episode
 from reibench.errors import ReibenchError, unknown
 from reibench.store import Store
 from reibench.store.schema import now
 from study import schema
-from study.config import Study, from_json
+from study.config import Study, all_episodes, from_json
 from study.designs import designs
 from study.texts import fingerprint
 
@@ -66,7 +65,7 @@ class Assignment:
     @property
     def room(self) -> str:
         """The room it is in."""
-        [room] = [one.task.setup.room for one in _all_episodes() if one.id == self.episode]
+        [room] = [one.task.setup.room for one in all_episodes() if one.id == self.episode]
         return room
 
 
@@ -271,7 +270,7 @@ def _filled(database: Database, study: Study, *, simulated: bool) -> dict[str, i
 
 
 def _assign(database: Database, code: str, study: Study, chosen: Sequence[Episode]) -> None:
-    shipped = {episode.id: episode for episode in _all_episodes()}
+    shipped = {episode.id: episode for episode in all_episodes()}
     practice = [shipped[name] for name in study.practice]
     for kind, episodes in (("practice", practice), ("trial", chosen)):
         for place, episode in enumerate(episodes):
@@ -307,8 +306,3 @@ def _pool_of(text: str) -> tuple[Episode, ...]:
 
 def _pool(study: Study) -> tuple[Episode, ...]:
     return _pool_of(study.to_json())
-
-
-@lru_cache(maxsize=1)
-def _all_episodes() -> tuple[Episode, ...]:
-    return tuple(shipped_episodes())

@@ -13,14 +13,13 @@ from typing import Literal
 from sqlite_utils import Database
 
 from reibench.backends import Backend
-from reibench.dataset.files import shipped_episodes
 from reibench.errors import ModelUnavailable, ReibenchError, StaleStep
 from reibench.run import RunSpec
 from reibench.sittings import Sittings
 from reibench.store.schema import now
 from reibench.watching import Sitting
 from study.answering import Answers, checked, keep_answers, wrong_answers
-from study.config import Ending, Question, Study
+from study.config import Ending, Question, Study, all_episodes
 from study.enrolment import Assignment, Enrolment, Participant, log
 
 Stage = Literal["consent", "tutorial", "practice", "quiz", "trial", "after", "end", "over"]
@@ -183,7 +182,7 @@ class Flow:
         if key not in self._sittings:
             spec = RunSpec(rules=study.rules, max_steps=study.max_steps)
             self._sittings[key] = Sittings(
-                shipped_episodes(), self._store, _no_model, spec=spec, origin="study"
+                all_episodes(), self._store, _no_model, spec=spec, origin="study"
             )
         return self._sittings[key]
 

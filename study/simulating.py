@@ -13,7 +13,6 @@ from time import perf_counter, time
 from types import SimpleNamespace
 from typing import Any
 
-from reibench.dataset.files import shipped_episodes
 from reibench.episode import Episode
 from reibench.methods import Instruction
 from reibench.planners.expert import Expert
@@ -21,7 +20,7 @@ from reibench.rollout import Rollout, drive
 from reibench.skill import SKILLS
 from reibench.worlds.embedded import embedded_world
 from reibench.worlds.rules import rules_called
-from study.config import Question
+from study.config import Question, all_episodes
 from study.enrolment import Enrolment
 from study.flow import Page
 from study.pages import TakingPart
@@ -65,7 +64,7 @@ class Simulation:
         self._seed = seed
         self._page = TakingPart(enrolment, simulated=True)
         self._flow = self._page.flow
-        self._episodes = {episode.id: episode for episode in shipped_episodes()}
+        self._episodes = {episode.id: episode for episode in all_episodes()}
         self._solutions: dict[str, list[str]] = {}
 
     def run(self, number: int, *, together: int, tell: Tell) -> list[Outcome]:

@@ -8,7 +8,7 @@ from importlib.util import find_spec
 from itertools import islice
 from pathlib import Path
 from time import perf_counter
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from reibench.errors import ModelUnavailable, ReibenchError
 from reibench.tuning.grounds import made_up
@@ -16,6 +16,9 @@ from reibench.tuning.lessons import Lesson, lessons
 from reibench.tuning.restatements import Restatement, restatements
 from reibench.worlds.embedded import embedded_world
 from reibench.worlds.rules import RULES
+
+if TYPE_CHECKING:
+    from reibench.backends.transformers.loading import Loaded
 
 Kind = Literal["planner", "resolver"]
 BASE = "gemma-3-270m"
@@ -75,8 +78,10 @@ def lessons_of(recipe: Recipe) -> list[Lesson] | list[Restatement]:
                 world.close()
 
 
-def teach(recipe: Recipe, folder: Path, tell: Told) -> Taught:
+def teach(recipe: Recipe, folder: Path, tell: Told, base: "Loaded | None" = None) -> Taught:
     """Teach an adapter, going on from what is in `folder`, and write its file there.
+
+    `base` is the model, opened already; it comes back as it was.
 
     Raises:
         ModelUnavailable: when packages or the model are missing.
@@ -101,8 +106,9 @@ def teach(recipe: Recipe, folder: Path, tell: Told) -> Taught:
     started = perf_counter()
     tell(f"Making {recipe.lessons} lessons for the {recipe.kind} …")
     made = lessons_of(recipe)
-    tell(f"Opening {BASE} (reading a GGUF file with torch takes a minute) …")
-    loaded = load(Source(BASE, dtype="float32", device="cpu"))
+    if base is None:
+        tell(f"Opening {BASE} (reading a GGUF file with torch takes a minute) …")
+    loaded = base or load(Source(BASE, dtype="float32", device="cpu"))
     coded, allowed = coding.coded(made, loaded.tokenizer)
     trainer = Trainer(loaded.model, coded, allowed, recipe, folder)
 
@@ -113,6 +119,7 @@ def teach(recipe: Recipe, folder: Path, tell: Told) -> Taught:
     trainer.run(progress)
     file = folder / f"{BASE}-{recipe.kind}.gguf"
     lora_file.write(trainer.weights(), file, name=recipe.kind, alpha=recipe.alpha)
+    trainer.close()
     seconds = perf_counter() - started
     versions = {name: version(name) for name in NEEDED}
     taught = Taught(file, recipe, seconds, trainer.losses, versions)

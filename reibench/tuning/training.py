@@ -113,6 +113,10 @@ class Trainer:
         scores = states[rows, places] @ self._output.T
         return torch.nn.functional.cross_entropy(scores, torch.tensor(wanted))
 
+    def close(self) -> None:
+        """Give the model back as it was."""
+        self.model.unload()
+
     def weights(self) -> dict[str, Any]:
         """Return what was learnt, by the names of transformers."""
         return {

@@ -24,10 +24,10 @@ def loaded():
 
 
 @pytest.fixture(scope="module")
-def taught(tmp_path_factory):
+def taught(loaded, tmp_path_factory):
     told = []
     folder = tmp_path_factory.mktemp("planner")
-    return teach(RECIPE, folder, told.append), told, folder
+    return teach(RECIPE, folder, told.append, loaded), told, folder
 
 
 def test_the_loss_goes_down(taught):
@@ -40,10 +40,10 @@ def test_it_is_told_how_far_it_is_and_how_long_it_will_take(taught):
     assert any("[6/6] loss" in line and "min left" in line for line in taught[1])
 
 
-def test_the_same_command_again_goes_on_from_what_is_there(taught):
+def test_the_same_command_again_goes_on_from_what_is_there(taught, loaded):
     _, _, folder = taught
     told = []
-    again = teach(RECIPE, folder, told.append)
+    again = teach(RECIPE, folder, told.append, loaded)
     assert list(again.losses) == list(taught[0].losses)
     assert again.file.read_bytes() == taught[0].file.read_bytes()
     assert not any("loss" in line for line in told)
@@ -88,6 +88,7 @@ def test_llama_cpp_opens_the_file_and_chooses_as_torch_does(taught, loaded):
             scores = trainer.model(tokens).logits[0, -1][allowed]
         agreed += loaded.tokenizer.decode(allowed[int(scores.argmax())]).strip() == verb
     model.close()
+    trainer.close()
     assert agreed >= 11
 
 

@@ -1,0 +1,106 @@
+"""What an analysis says, against numbers computed by hand and people whose skill is known."""
+
+from dataclasses import replace
+from math import isclose
+
+import pandas as pd
+import pytest
+
+from reibench.errors import ReibenchError
+from reibench.run import RunSpec, evaluate
+from reibench.worlds.embedded import embedded_world
+from study.__main__ import main
+from study.analysis import agreement, analyse, lines, mixed_model, trials_frame, versus
+from study.simulating import Character, Simulation
+
+
+def frame(rows):
+    columns = ["participant", "episode_digest", "task", "status"]
+    return pd.DataFrame(rows, columns=columns)
+
+
+PEOPLE = frame(
+    [
+        ("A", "e1", "t1", "success"),
+        ("A", "e2", "t2", "success"),
+        ("B", "e1", "t1", "failure"),
+        ("B", "e3", "t3", "success"),
+        ("C", "e1", "t1", "success"),
+        ("C", "e9", "t9", "success"),
+    ]
+)
+RUN = pd.DataFrame(
+    [("r", "planner", "e1", "t1", "success"), ("r", "planner", "e2", "t2", "failure"),
+     ("r", "planner", "e3", "t3", "truncated"), ("r", "planner", "e4", "t4", "success")],
+    columns=["run", "actor", "episode_digest", "task", "status"],
+)  # fmt: skip
+
+
+def test_people_and_a_planner_are_compared_on_the_same_episodes_as_by_hand():
+    found = versus(PEOPLE, RUN, "r")
+    assert (found.trials, found.episodes, found.tasks) == (5, 3, 3)
+    assert found.person == 4 / 5
+    assert found.other == 3 / 5  # e1 three times, as often as people played it
+    assert (found.only_person, found.only_other) == (2, 1)
+    assert found.p == 1.0
+    assert isclose(found.difference, 0.2)
+    assert found.low < 0.2 < found.high
+
+
+def test_agreement_counts_pairs_on_one_episode():
+    assert agreement(PEOPLE) == {"pairs": 3, "same": 1, "share": 1 / 3}
+
+
+def test_a_model_is_not_made_of_nothing():
+    assert "note" in mixed_model(PEOPLE.iloc[:1], RUN, "r")
+
+
+@pytest.fixture(scope="module")
+def studied(tmp_path_factory, example):
+    from reibench.store import Store
+    from study.enrolment import Enrolment
+
+    enrolment = Enrolment(Store(tmp_path_factory.mktemp("analysis") / "study.db"))
+    study = replace(example, trials=6, tasks=6, practice=(), people=0)
+    enrolment.create(study)
+    character = Character(skill=0.7, quiz=1.0, hesitation=0.1, reload=0.0)
+    Simulation(enrolment, study.name, character, 3).run(9, together=3, tell=lambda line: None)
+    spec = RunSpec(planner="expert").versioned()
+    list(evaluate(spec, study.chosen()[:27], None, embedded_world(), enrolment.store))
+    return enrolment, study
+
+
+def test_it_recovers_the_skill_of_simulated_people_within_its_interval(studied):
+    enrolment, study = studied
+    found = analyse(enrolment, study.name, everybody=True)
+    [overall] = found["overall"]
+    assert (found["people"], found["trials"]) == (9, 54)
+    assert overall["success_low"] <= 0.7 <= overall["success_high"]
+    assert sum(row["episodes"] for row in found["by_level"]) == 54
+    assert found["steps_per_expert_step"]["median"] < 1.3
+    assert isclose(found["seconds_a_step"]["median"], 2.2, abs_tol=0.3)
+
+
+def test_people_are_counted_beside_every_run_of_the_database(studied):
+    enrolment, study = studied
+    found = analyse(enrolment, study.name, everybody=True)
+    [against] = found["versus"]
+    assert against["other"] == 1.0
+    assert against["only_person"] == 0
+    assert against["difference"] <= 0
+    [fit] = found["model"]
+    assert fit["person_log_odds"] < 0
+    told = "\n".join(lines(found))
+    assert "people against expert" in told
+    assert "log odds of a person -" in told
+
+
+def test_simulated_people_are_left_out_unless_asked_for(studied, capsys):
+    enrolment, study = studied
+    with pytest.raises(ReibenchError, match="--everybody"):
+        trials_frame(enrolment, study.name)
+    db = ["--db", str(enrolment.store.path)]
+    assert main(["analysis", study.name, *db]) == 2
+    assert main(["analysis", study.name, "--everybody", "--json", *db]) == 0
+    assert '"trials": 54' in capsys.readouterr().out
+    assert main(["analysis", study.name, "--everybody", "--runs", "none", *db]) == 2
