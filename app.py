@@ -27,6 +27,7 @@ from reibench.sittings import Sittings
 from reibench.store import Store
 from reibench.worlds import Camera
 from reibench.worlds.naming import check_world
+from study import admin as study_admin
 from study import pages as study_pages
 from study.enrolment import Enrolment
 
@@ -57,7 +58,9 @@ def make_app(database: str, model: str = "", world: str = "embedded") -> FastAPI
         "favicon_path": WEB / "favicon.svg", "footer_links": [], "run_history": False,
         "enable_monitoring": False,
     }  # fmt: skip
-    taking_part = study_pages.build(Enrolment(store))
+    enrolment = Enrolment(store)
+    app.mount("/admin", study_admin.build(enrolment))
+    taking_part = study_pages.build(enrolment)
     gr.mount_gradio_app(app, taking_part, path="/study", head=head("study", "study"), **shown)
     page = demo.build(sittings, model=model)
     return gr.mount_gradio_app(app, page, path="/", head=HEAD, **shown)

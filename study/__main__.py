@@ -5,7 +5,7 @@ import sys
 from argparse import ArgumentParser, Namespace
 from collections import Counter
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from dataclasses import asdict, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -42,6 +42,7 @@ def parser() -> ArgumentParser:
     status.set_defaults(command=_status)
     _add_export(sub.add_parser)
     _add_analysis(sub.add_parser)
+    _add_power(sub.add_parser)
     _add_simulations(sub.add_parser)
     for state, verb in zip(RUN_STATES, ("open", "pause", "stop"), strict=True):
         change = sub.add_parser(verb, help=f"the study is {state} from now on")
@@ -75,6 +76,25 @@ def _add_analysis(add: Callable[..., ArgumentParser]) -> None:
     add_database(analysis)
     add_json(analysis)
     analysis.set_defaults(command=_analysis)
+
+
+def _add_power(add: Callable[..., ArgumentParser]) -> None:
+    power = add("power", help="how many people? the analysis, simulated before the study")
+    power.add_argument("file", type=Path, help="the study, in TOML")
+    power.add_argument(
+        "--person", default="0.9", help="expected success: 0.9, or explicit=0.95,mixed=0.9,…"
+    )
+    power.add_argument("--planner", default="0.7", help="the planner's, likewise")
+    power.add_argument("--run", default="", help="or the id of its run in the database")
+    power.add_argument("--people", default="9,18,27,36", help="sizes, with commas (%(default)s)")
+    power.add_argument("--between-people", type=float, default=0.5, help="spread, in log odds")
+    power.add_argument("--between-tasks", type=float, default=0.5, help="likewise")
+    power.add_argument("--simulations", type=int, default=200)
+    power.add_argument("--seed", type=int, default=1)
+    power.add_argument("--figure", type=Path, help="draw the curve: .png, .svg or .pdf")
+    add_database(power)
+    add_json(power)
+    power.set_defaults(command=_power)
 
 
 def _add_simulations(add: Callable[..., ArgumentParser]) -> None:
@@ -149,6 +169,50 @@ def _analysis(arguments: Namespace) -> int:
     else:
         say("\n".join(lines(found)))
     return 0
+
+
+def _power(arguments: Namespace) -> int:
+    from study import power  # pandas takes a second to import
+
+    sizes = listed(arguments.people)
+    if not sizes or not all(size.isdecimal() and int(size) for size in sizes):
+        raise ReibenchError(f"--people {arguments.people!r} should be numbers with commas: 9,18.")
+    if arguments.simulations < 1 or min(arguments.between_people, arguments.between_tasks) < 0:
+        raise ReibenchError("--simulations must be at least 1, and spreads at least 0.")
+    planner: dict[str, bool | float] = {**power.by_reference(arguments.planner, "--planner")}
+    if arguments.run:
+        planner |= _outcomes(Store(existing_database(arguments)), arguments.run)
+    expected = power.Expected(
+        power.by_reference(arguments.person, "--person"),
+        planner,
+        arguments.between_people,
+        arguments.between_tasks,
+    )
+    found = power.power(
+        read_study(arguments.file),
+        expected,
+        [int(size) for size in sizes],
+        simulations=arguments.simulations,
+        seed=arguments.seed,
+        tell=tell,
+    )
+    if arguments.figure:
+        power.draw_curve(found, arguments.figure)
+    if arguments.json:
+        say_json([asdict(one) for one in found])
+    else:
+        heads = ["people", "trials", "power (McNemar)", "interval by task", "points"]
+        say(table(power.table_rows(found), heads))
+    return 0
+
+
+def _outcomes(store: Store, run: str) -> dict[str, bool | float]:
+    rows = store.query(
+        "select episode, status from records where run = ? and status not null", [run]
+    )
+    if not rows:
+        raise ReibenchError(f"The database has no finished record of a run {run!r}.")
+    return {row["episode"]: row["status"] == "success" for row in rows}
 
 
 def _simulate(arguments: Namespace) -> int:

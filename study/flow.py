@@ -225,9 +225,9 @@ class Flow:
                 self._after_playing(database, who, study)
             return self._page(self.enrolment.participant(who.token))
         if stage == "over":
-            ending: Ending = "completed" if who.state == "finished" else _ending(who)
-            code = study.codes.get(ending, "")
-            link = study.links.get(ending, "").replace("{code}", code)
+            ending = _ending(who)
+            code = study.codes.get(ending or "", "")
+            link = study.links.get(ending or "", "").replace("{code}", code)
             return replace(page, ending=ending, code=code, link=link)
         asked = questions_at(study, stage)
         wrong = self._wrong(who, asked) if stage == "quiz" else ()
@@ -304,14 +304,20 @@ def questions_at(study: Study, stage: Stage) -> tuple[Question, ...]:
 
 
 def _stage(who: Participant) -> Stage:
+    if who.state == "rejected":
+        return "over"
     return next(stage for stage in STAGES if stage == who.stage)
 
 
-def _ending(who: Participant) -> Ending:
+def _ending(who: Participant) -> Ending | None:
+    """Return how the study ended for somebody; nothing for who was turned away on the way."""
     known: Mapping[str, Ending] = {
         "no_consent": "no_consent", "failed_check": "failed_check", "withdrawn": "withdrawn",
+        "finished": "completed",
     }  # fmt: skip
-    return known.get(who.state, "completed")
+    if who.state == "rejected" and who.stage == "over":
+        return "completed"  # they did it all and keep their code
+    return known.get(who.state)
 
 
 def _refuse_elsewhere(who: Participant, stage: Stage, place: int) -> None:

@@ -243,7 +243,8 @@ def _over(page: Page) -> str:
             " be, so the study ends here. Thank you for your time.",
             "withdrawn": "You have left the study, and your answers are deleted.",
         }
-        parts = [element("h1", "The study is over"), element("p", said.get(page.ending or "", ""))]
+        words = said.get(page.ending or "", "Your part in it has been ended. Thank you.")
+        parts = [element("h1", "The study is over"), element("p", words)]
     if page.code:
         code = element("b", text(page.code), class_="code", id="code")
         parts.append(element("p", "Your code: ", code))

@@ -1,0 +1,143 @@
+"""The researchers' page: a server of its own, closed to whoever has not the password."""
+
+import hashlib
+import hmac
+import io
+import os
+import secrets
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Annotated, get_args
+
+from fastapi import Depends, FastAPI, Form, HTTPException, Request
+from fastapi.responses import HTMLResponse, RedirectResponse, Response
+from fastapi.security import HTTPBasic, HTTPBasicCredentials
+
+from reibench.errors import ReibenchError, UnknownName
+from study import admin_view
+from study.enrolment import RUN_STATES, Enrolment
+from study.exporting import export
+from study.people import Judgement, judge, people_of, trials_of
+from study.status import status_of
+
+PASSWORD = "REIBENCH_ADMIN_PASSWORD"
+"""Environment variable; without it the page is closed to everybody."""
+LEAST = 8
+Guard = Callable[..., None]
+
+
+def build(enrolment: Enrolment) -> FastAPI:
+    """Return the researchers' server; every address of it asks for the password."""
+    app = FastAPI(
+        docs_url=None, redoc_url=None, openapi_url=None, dependencies=[Depends(_admitted)]
+    )
+
+    @app.exception_handler(ReibenchError)
+    def told(request: Request, problem: ReibenchError) -> Response:
+        status = 404 if isinstance(problem, UnknownName) else 400
+        return HTMLResponse(admin_view.trouble(str(problem)), status)
+
+    _serve_studies(app, enrolment)
+    _serve_people(app, enrolment)
+    return app
+
+
+def _serve_studies(app: FastAPI, enrolment: Enrolment) -> None:
+    @app.get("/")
+    def studies() -> HTMLResponse:
+        return HTMLResponse(admin_view.studies(enrolment.studies()))
+
+    @app.get("/{name}")
+    def study(name: str) -> HTMLResponse:
+        real, simulated = (status_of(enrolment, name, simulated=each) for each in (False, True))
+        people = people_of(enrolment, name)
+        return HTMLResponse(
+            admin_view.study(enrolment.study(name), real, simulated, people, _token(name))
+        )
+
+    @app.post("/{name}/state")
+    def state(
+        name: str,
+        state: Annotated[str, Form()],
+        token: Annotated[str, Form()],
+        reason: Annotated[str, Form()] = "",
+    ) -> Response:
+        _ours(name, token)
+        wanted = next((one for one in RUN_STATES if one == state), None)
+        if wanted is None:
+            raise HTTPException(400, "There is no such state.")
+        enrolment.set_state(name, wanted, reason[:500])
+        return RedirectResponse(f"../{name}", 303)
+
+    @app.get("/{name}/export.zip")
+    def download(name: str, everybody: bool = False) -> Response:
+        with TemporaryDirectory() as folder:
+            files = export(enrolment, name, Path(folder), everybody=everybody)
+            kept = io.BytesIO()
+            with zipfile.ZipFile(kept, "w", zipfile.ZIP_DEFLATED) as archive:
+                for file in files:
+                    archive.write(file, file.name)
+        headers = {"Content-Disposition": f'attachment; filename="{name}.zip"'}
+        return Response(kept.getvalue(), media_type="application/zip", headers=headers)
+
+
+def _serve_people(app: FastAPI, enrolment: Enrolment) -> None:
+    @app.get("/{name}/people/{code}")
+    def person(name: str, code: str) -> HTMLResponse:
+        found = next((one for one in people_of(enrolment, name) if one.code == code), None)
+        if found is None:
+            raise HTTPException(404, "There is nobody of that code.")
+        trials = trials_of(enrolment, name, code)
+        return HTMLResponse(admin_view.person(name, found, trials, _token(name)))
+
+    @app.post("/{name}/people/{code}")
+    def decide(
+        name: str,
+        code: str,
+        judgement: Annotated[str, Form()],
+        token: Annotated[str, Form()],
+        reason: Annotated[str, Form()] = "",
+    ) -> Response:
+        _ours(name, token)
+        wanted = next((one for one in get_args(Judgement) if one == judgement), None)
+        if wanted is None:
+            raise HTTPException(400, "There is no such decision.")
+        judge(enrolment, name, code, wanted, reason)
+        return RedirectResponse(code, 303)
+
+    @app.get("/{name}/people/{code}/{record}")
+    def replay(name: str, code: str, record: str, step: int = 0) -> HTMLResponse:
+        if record not in [one["record"] for one in trials_of(enrolment, name, code)]:
+            raise HTTPException(404, "There is no such trial of theirs.")
+        return HTMLResponse(admin_view.replay(name, code, enrolment.store.record(record), step))
+
+
+def _admitted(
+    credentials: Annotated[HTTPBasicCredentials | None, Depends(HTTPBasic(auto_error=False))],
+) -> None:
+    """Let in who knows the password of the environment; there is none by default."""
+    password = os.environ.get(PASSWORD, "")
+    if len(password) < LEAST:
+        raise HTTPException(
+            403,
+            f"The researchers' page is closed: set {PASSWORD} to a password of {LEAST} characters"
+            " or more, and start the app again.",
+        )
+    given = credentials.password if credentials else ""
+    if not secrets.compare_digest(given.encode(), password.encode()):
+        raise HTTPException(
+            401, "The password is not right.", {"WWW-Authenticate": 'Basic realm="researchers"'}
+        )
+
+
+def _token(name: str) -> str:
+    """Return what proves that a form came from this page: browsers send the password anywhere."""
+    key = os.environ.get(PASSWORD, "").encode()
+    return hmac.new(key, name.encode(), hashlib.sha256).hexdigest()
+
+
+def _ours(name: str, token: str) -> None:
+    if not secrets.compare_digest(token.encode(), _token(name).encode()):
+        raise HTTPException(403, "This form is not of this page; load it again.")

@@ -1,0 +1,93 @@
+"""People as researchers see them: where everybody is, how long they take, whether they attend."""
+
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from reibench.errors import ReibenchError, unknown
+from study.enrolment import Enrolment, log
+
+Judgement = Literal["accept", "reject", "restore"]
+
+_PEOPLE = """
+select p.code, p.state, p.stage, p.place, p.slot, p.simulated, p.quiz_tries, p.arrived, p.seen,
+    p.ended, p.reason, p.version,
+    (select count(*) from assignments as a join records as r on r.id = a.record
+        where a.participant = p.code and a.kind = 'trial' and r.status not null) as trials,
+    (select count(*) from answers as w where w.participant = p.code and w.right = 0
+        and w.stage != 'quiz') as inattentive,
+    (select avg(s.seconds) from steps as s join assignments as a on a.record = s.record
+        where a.participant = p.code and a.kind = 'trial') as seconds
+from participants as p where p.study = ? order by p.arrived desc
+"""
+
+
+@dataclass(frozen=True)
+class Person:
+    """A row of the researchers' list."""
+
+    code: str
+    state: str
+    stage: str
+    place: int
+    slot: int
+    simulated: bool
+    quiz_tries: int
+    arrived: str
+    seen: str
+    ended: str | None
+    reason: str
+    version: str
+    trials: int
+    """Finished ones."""
+    inattentive: int
+    """Attention checks answered wrongly."""
+    seconds: float | None
+    """A step, on average."""
+
+
+def people_of(enrolment: Enrolment, name: str) -> list[Person]:
+    """Return everybody of a study, the latest first; raises UnknownName."""
+    enrolment.study(name)
+    rows = enrolment.store.query(_PEOPLE, [name])
+    return [Person(**row | {"simulated": bool(row["simulated"])}) for row in rows]
+
+
+def judge(enrolment: Enrolment, name: str, code: str, judgement: Judgement, reason: str) -> None:
+    """Accept, reject or restore somebody, with a reason that is kept.
+
+    Who is rejected gives their place back and is left out of analyses; what they did stays.
+
+    Raises:
+        UnknownName: when the study has nobody of that code.
+        ReibenchError: when it cannot be done to them now, or no reason is given.
+    """
+    if not reason.strip():
+        raise ReibenchError("Please give a reason; it is kept beside the decision.")
+    with enrolment.store.writing() as database:
+        row = database.execute(
+            "select state, stage from participants where study = ? and code = ?", [name, code]
+        ).fetchone()
+        if row is None:
+            raise unknown("participant", code, ())
+        state, stage = row
+        if state == "withdrawn":
+            raise ReibenchError(f"{code} has left the study; there is nothing to {judgement}.")
+        before = "finished" if stage == "over" else "active"
+        wanted = {"reject": "rejected", "restore": before, "accept": state}[judgement]
+        if (judgement == "restore") != (state == "rejected"):
+            raise ReibenchError(f"{code} is {state}, so there is nothing to {judgement}.")
+        database.execute(
+            "update participants set state = ?, reason = ? where code = ?",
+            [wanted, reason.strip()[:500], code],
+        )
+        log(database, name, code, judgement, reason.strip()[:500])
+
+
+def trials_of(enrolment: Enrolment, name: str, code: str) -> list[dict[str, Any]]:
+    """Return somebody's trials that were begun, in order."""
+    return enrolment.store.query(
+        "select a.kind, a.place, r.id as record, r.episode, r.status, r.steps from assignments as a"
+        " join records as r on r.id = a.record join participants as p on p.code = a.participant"
+        " where p.study = ? and p.code = ? order by a.kind, a.place",
+        [name, code],
+    )
