@@ -5,10 +5,9 @@ second tab or a restarted server finds everybody where they were.
 """
 
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
-from typing import Literal
 
 from sqlite_utils import Database
 
@@ -20,12 +19,17 @@ from reibench.store.schema import now
 from reibench.watching import Sitting
 from study.answering import Answers, checked, keep_answers, wrong_answers
 from study.config import Ending, Question, Study, all_episodes
-from study.enrolment import Assignment, Enrolment, Participant, log
+from study.enrolment import Assignment, Enrolment, Participant
+from study.stages import (
+    Stage,
+    end,
+    ending_of,
+    go,
+    questions_at,
+    refuse_elsewhere,
+    stage_of,
+)
 
-Stage = Literal["consent", "tutorial", "practice", "quiz", "trial", "after", "end", "over"]
-STAGES: tuple[Stage, ...] = (
-    "consent", "tutorial", "practice", "quiz", "trial", "after", "end", "over",
-)  # fmt: skip
 LOCKS = 64
 
 
@@ -71,10 +75,10 @@ class Flow:
         """Agree to take part, or not."""
         if agreed:
             return self._move(
-                token, "consent", 0, lambda database, who: _go(database, who, "tutorial")
+                token, "consent", 0, lambda database, who: go(database, who, "tutorial")
             )
         return self._move(
-            token, "consent", 0, lambda database, who: _end(database, who, "no_consent")
+            token, "consent", 0, lambda database, who: end(database, who, "no_consent")
         )
 
     def read(self, token: str) -> Page:
@@ -125,7 +129,7 @@ class Flow:
             if stage == "quiz":
                 self._after_quiz(database, who, study, wrong_answers(asked, given))
             elif stage == "end":
-                _end(database, who, "completed")
+                end(database, who, "completed")
             else:
                 self._after_trial(database, who, study)
 
@@ -152,7 +156,7 @@ class Flow:
                 database.execute(
                     "update participants set parameters = '{}' where code = ?", [who.code]
                 )
-                _end(database, who, "withdrawn")
+                end(database, who, "withdrawn")
             self._store.forget(records)
             return self.page(token)
 
@@ -197,12 +201,12 @@ class Flow:
         with self._lock(token):
             with self._store.writing() as database:
                 who = self.enrolment.participant(token)
-                _refuse_elsewhere(who, stage, place)
+                refuse_elsewhere(who, stage, place)
                 change(database, who)
             return self.page(token)
 
     def _playing(self, token: str, stage: Stage, place: int) -> Page:
-        _refuse_elsewhere(self.enrolment.participant(token), stage, place)
+        refuse_elsewhere(self.enrolment.participant(token), stage, place)
         page = self.page(token)
         if (page.stage, page.place) != (stage, place) or page.sitting is None:
             raise StaleStep("This task is over. The page now shows where you are.")
@@ -211,7 +215,7 @@ class Flow:
     def _page(self, who: Participant) -> Page:
         """Return the page of a participant, ending first what has ended."""
         study = self.enrolment.study(who.study, who.version)
-        stage = _stage(who)
+        stage = stage_of(who)
         page = Page(who, study, stage, who.place)
         if stage in ("practice", "trial"):
             sitting = self._sitting(who, study, stage)
@@ -225,7 +229,7 @@ class Flow:
                 self._after_playing(database, who, study)
             return self._page(self.enrolment.participant(who.token))
         if stage == "over":
-            ending = _ending(who)
+            ending = ending_of(who)
             code = study.codes.get(ending or "", "")
             link = study.links.get(ending or "", "").replace("{code}", code)
             return replace(page, ending=ending, code=code, link=link)
@@ -265,16 +269,16 @@ class Flow:
 
     def _after_tutorial(self, database: Database, who: Participant) -> None:
         study = self.enrolment.study(who.study, who.version)
-        _go(database, who, "practice" if study.practice else "quiz" if study.quiz else "trial")
+        go(database, who, "practice" if study.practice else "quiz" if study.quiz else "trial")
 
     def _after_playing(self, database: Database, who: Participant, study: Study) -> None:
         if who.stage == "practice":
             if who.place + 1 < len(study.practice):
-                _go(database, who, "practice", who.place + 1)
+                go(database, who, "practice", who.place + 1)
             else:
-                _go(database, who, "quiz" if study.quiz else "trial")
+                go(database, who, "quiz" if study.quiz else "trial")
         elif study.after_trial:
-            _go(database, who, "after", who.place)
+            go(database, who, "after", who.place)
         else:
             self._after_trial(database, who, study)
 
@@ -284,62 +288,17 @@ class Flow:
         tries = who.quiz_tries + 1
         database.execute("update participants set quiz_tries = ? where code = ?", [tries, who.code])
         if not wrong:
-            _go(database, who, "trial")
+            go(database, who, "trial")
         elif tries >= study.quiz_tries:
-            _end(database, who, "failed_check")
+            end(database, who, "failed_check")
 
     def _after_trial(self, database: Database, who: Participant, study: Study) -> None:
         if who.place + 1 < study.trials:
-            _go(database, who, "trial", who.place + 1)
+            go(database, who, "trial", who.place + 1)
         elif study.at_end:
-            _go(database, who, "end")
+            go(database, who, "end")
         else:
-            _end(database, who, "completed")
-
-
-def questions_at(study: Study, stage: Stage) -> tuple[Question, ...]:
-    """Return what is asked at a stage."""
-    asked = {"quiz": study.quiz, "after": study.after_trial, "end": study.at_end}
-    return asked.get(stage, ())
-
-
-def _stage(who: Participant) -> Stage:
-    if who.state == "rejected":
-        return "over"
-    return next(stage for stage in STAGES if stage == who.stage)
-
-
-def _ending(who: Participant) -> Ending | None:
-    """Return how the study ended for somebody; nothing for who was turned away on the way."""
-    known: Mapping[str, Ending] = {
-        "no_consent": "no_consent", "failed_check": "failed_check", "withdrawn": "withdrawn",
-        "finished": "completed",
-    }  # fmt: skip
-    if who.state == "rejected" and who.stage == "over":
-        return "completed"  # they did it all and keep their code
-    return known.get(who.state)
-
-
-def _refuse_elsewhere(who: Participant, stage: Stage, place: int) -> None:
-    if who.state != "active" or who.stage != stage or who.place != place:
-        raise StaleStep("This page was behind. It now shows where you are.")
-
-
-def _go(database: Database, who: Participant, stage: Stage, place: int = 0) -> None:
-    database.execute(
-        "update participants set stage = ?, place = ?, seen = ? where code = ?",
-        [stage, place, now(), who.code],
-    )
-
-
-def _end(database: Database, who: Participant, ending: Ending) -> None:
-    state = "finished" if ending == "completed" else ending
-    database.execute(
-        "update participants set stage = 'over', place = 0, state = ?, seen = ?, ended = ?"
-        " where code = ?",
-        [state, now(), now(), who.code],
-    )
-    log(database, who.study, who.code, ending)
+            end(database, who, "completed")
 
 
 def _late(

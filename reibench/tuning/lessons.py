@@ -27,6 +27,8 @@ OWN_WORDS = 0.65
 """How often a request after a dialogue is worded anew, not by the realiser."""
 MUDDLED = 0.3
 """How often something goes wrong on the way that the robot has to put right."""
+AMBIGUOUS = 0.3
+"""How often a place is called by a word that others go by too, where there is one."""
 SLICED = 0.3
 """How often a slice is asked for, of what can be sliced."""
 SLIP = 0.25
@@ -125,7 +127,7 @@ def _asked(found: Seed, realiser: Realiser, choose: Random) -> tuple[Wish, Instr
 def _ambiguous(goal: Goal, choose: Random) -> tuple[str, dict[str, Sequence[str]]]:
     """Choose a word that several types of places go by, sometimes, and say what it may mean."""
     words = [word for word, types in SEVERAL.items() if goal.destination in types]
-    if not words or choose.random() > 0.2:
+    if not words or choose.random() > AMBIGUOUS:
         return "", {}
     word = choose.choice(words)
     return word, {goal.destination: SEVERAL[word]}

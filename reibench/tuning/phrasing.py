@@ -17,14 +17,16 @@ from reibench.skill import in_words
 FOLDER = Path(__file__).parents[2] / "assets" / "tuning"
 SEVERAL: Mapping[str, Sequence[str]] = {
     "table": ("DiningTable", "CoffeeTable", "SideTable", "Desk"),
+    "table top": ("DiningTable", "CoffeeTable", "SideTable"),
+    "chair": ("ArmChair", "Sofa"),
     "lamp": ("DeskLamp", "FloorLamp"),
     "light": ("DeskLamp", "FloorLamp"),
 }
 """Words for places and lamps that several types go by, in the order in which they are tried."""
 SLICES = ("slice of {}", "slice of {}", "piece of {}", "{} slice", "cut {}", "sliced {}")
-DETAILED = 0.1
+DETAILED = 0.15
 """How often people say what a thing or place looks like."""
-LOCATED = 0.08
+LOCATED = 0.12
 """How often they say where it is."""
 _CHOICE = re.compile(r"\[([^\[\]]*)\]")
 
@@ -66,9 +68,19 @@ def grammar() -> Mapping[str, Sequence[str]]:
 
 
 @lru_cache(maxsize=1)
+def things() -> Mapping[str, Sequence[str]]:
+    """Return what people call each thing that can be picked up, one of it."""
+    return _words("things.csv")
+
+
+@lru_cache(maxsize=1)
 def places() -> Mapping[str, Sequence[str]]:
     """Return what people call each place and lamp, the usual word more than once."""
-    with (FOLDER / "places.csv").open(encoding="utf-8", newline="") as file:
+    return _words("places.csv")
+
+
+def _words(file_name: str) -> Mapping[str, Sequence[str]]:
+    with (FOLDER / file_name).open(encoding="utf-8", newline="") as file:
         return {row["object_type"]: row["words"].split(";") for row in csv.DictReader(file)}
 
 
@@ -130,8 +142,7 @@ def _noun(name: str, choose: Random, article: str = "") -> tuple[str, str, bool]
     if plural or not known.singular:
         bare = choose.choice(known.plural)
         return f"{choose.choice(('the', 'the', 'my', 'some'))} {bare}", bare, True
-    usual = choose.random() < 0.6
-    bare = known.singular[0] if usual else choose.choice(known.singular)
+    bare = choose.choice(things()[name])
     article = article or choose.choice(("the", "the", "the", "the", "a", "a", "my", "that"))
     if article == "that" or (article == "a" and known.number == "mass"):
         article = "the"

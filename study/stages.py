@@ -1,0 +1,65 @@
+"""The stages of a study, and how somebody gets from one to another."""
+
+from collections.abc import Mapping
+from typing import Literal
+
+from sqlite_utils import Database
+
+from reibench.errors import StaleStep
+from reibench.store.schema import now
+from study.config import Ending, Question, Study
+from study.enrolment import Participant, log
+
+Stage = Literal["consent", "tutorial", "practice", "quiz", "trial", "after", "end", "over"]
+STAGES: tuple[Stage, ...] = (
+    "consent", "tutorial", "practice", "quiz", "trial", "after", "end", "over",
+)  # fmt: skip
+
+
+def questions_at(study: Study, stage: Stage) -> tuple[Question, ...]:
+    """Return what is asked at a stage."""
+    asked = {"quiz": study.quiz, "after": study.after_trial, "end": study.at_end}
+    return asked.get(stage, ())
+
+
+def stage_of(who: Participant) -> Stage:
+    """Return where somebody is; who was turned away is through."""
+    if who.state == "rejected":
+        return "over"
+    return next(stage for stage in STAGES if stage == who.stage)
+
+
+def ending_of(who: Participant) -> Ending | None:
+    """Return how the study ended for somebody; nothing for who was turned away on the way."""
+    known: Mapping[str, Ending] = {
+        "no_consent": "no_consent", "failed_check": "failed_check", "withdrawn": "withdrawn",
+        "finished": "completed",
+    }  # fmt: skip
+    if who.state == "rejected" and who.stage == "over":
+        return "completed"  # they did it all and keep their code
+    return known.get(who.state)
+
+
+def refuse_elsewhere(who: Participant, stage: Stage, place: int) -> None:
+    """Raise StaleStep unless somebody is at that stage and place."""
+    if who.state != "active" or who.stage != stage or who.place != place:
+        raise StaleStep("This page was behind. It now shows where you are.")
+
+
+def go(database: Database, who: Participant, stage: Stage, place: int = 0) -> None:
+    """Let somebody go on to a stage."""
+    database.execute(
+        "update participants set stage = ?, place = ?, seen = ? where code = ?",
+        [stage, place, now(), who.code],
+    )
+
+
+def end(database: Database, who: Participant, ending: Ending) -> None:
+    """Let somebody be through, and note how."""
+    state = "finished" if ending == "completed" else ending
+    database.execute(
+        "update participants set stage = 'over', place = 0, state = ?, seen = ?, ended = ?"
+        " where code = ?",
+        [state, now(), now(), who.code],
+    )
+    log(database, who.study, who.code, ending)
