@@ -71,6 +71,9 @@ def _add_analysis(add: Callable[..., ArgumentParser]) -> None:
         "--runs", default="", help="ids of runs to compare with, with commas (default: all)"
     )
     analysis.add_argument(
+        "--figures", type=Path, metavar="DIR", help="draw people beside the planners there"
+    )
+    analysis.add_argument(
         "--everybody", action="store_true", help="count simulated and rejected people in"
     )
     add_database(analysis)
@@ -160,10 +163,12 @@ def _export(arguments: Namespace) -> int:
 
 
 def _analysis(arguments: Namespace) -> int:
-    from study.analysis import analyse, lines  # pandas takes a second to import
+    from study.analysis import analyse, draw, lines  # pandas takes a second to import
 
-    runs = listed(arguments.runs)
-    found = analyse(_enrolment(arguments), arguments.study, runs, everybody=arguments.everybody)
+    runs, enrolment = listed(arguments.runs), _enrolment(arguments)
+    found = analyse(enrolment, arguments.study, runs, everybody=arguments.everybody)
+    if arguments.figures:
+        draw(enrolment, arguments.study, arguments.figures, runs, everybody=arguments.everybody)
     if arguments.json:
         say_json(found)
     else:

@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from importlib.util import find_spec
 from itertools import combinations
+from pathlib import Path
 from statistics import median
 from typing import Any
 
@@ -12,6 +13,7 @@ import pandas as pd
 from reibench.errors import ReibenchError
 from reibench.methods import Instruction
 from reibench.planners.expert import Expert
+from reibench.report.figures import draw_beside_people
 from reibench.rollout import Rollout, drive
 from reibench.score import bootstrap, sign_test, summarise
 from reibench.tally import records_frame
@@ -107,6 +109,25 @@ def analyse(
     found["versus"] = [asdict(versus(frame, planners, run)) for run in compared]
     found["model"] = [mixed_model(frame, planners, run) for run in compared]
     return found
+
+
+def draw(
+    enrolment: Enrolment,
+    name: str,
+    folder: Path,
+    runs: Sequence[str] = (),
+    *,
+    everybody: bool = False,
+) -> list[Path]:
+    """Draw success by level of people beside planners' runs; return the files."""
+    people = trials_frame(enrolment, name, everybody=everybody)
+    planners = records_frame(enrolment.store)
+    wanted = _runs(planners, runs)
+    chosen = planners[planners["run"].isin(wanted)] if len(planners) else planners
+    try:
+        return list(draw_beside_people(people, chosen, folder))
+    except OSError as problem:
+        raise ReibenchError(f"No figure can be drawn in {folder}: {problem.strerror}.") from None
 
 
 def _runs(planners: pd.DataFrame, wanted: Sequence[str]) -> list[str]:

@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 FORMATS = ("svg", "png", "pdf")
+PEOPLE = "people"
 CROWDED = 4
 """Of more runs than these the three contexts stand on axes of their own."""
 
@@ -66,6 +67,28 @@ class Panel:
     series: tuple[Series, ...]
     planner: str
     contexts: tuple[Context, ...] = CONTEXTS
+
+
+def draw_beside_people(
+    people: pd.DataFrame, planners: pd.DataFrame, folder: Path
+) -> Iterator[Path]:
+    """Draw success by level of people, and of planners' runs beside them, and yield the files.
+
+    Args:
+        people: finished trials, with the columns of `records_frame`.
+        planners: as `records_frame` returns it, of the runs to draw; may be empty.
+        folder: made if it is not there.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    person = _series(people.assign(run=PEOPLE), PEOPLE, PEOPLE, PEOPLE)
+    asked = planners[planners["model"] != ""] if len(planners) else planners
+    panels = [
+        replace(panel, series=(person, *panel.series))
+        for panel in (_panels_of_methods(asked) if len(asked) else ())
+    ]
+    yield from _draw(
+        panels or [Panel("People", (person,), "")], folder / "people-by-level", paper=False
+    )
 
 
 def draw_figures(frame: pd.DataFrame, folder: Path, *, paper: bool = False) -> Iterator[Path]:

@@ -14,6 +14,7 @@ METHODS = {
     "icl": "ICL",
     "tocc": "TOCC",
     "tocc-span": "TOCC-span",
+    "tocc-taught": "TOCC-taught",
     "no-context": "Context",
 }
 """Methods in the order of the paper's tables, under its names."""

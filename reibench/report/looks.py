@@ -37,9 +37,11 @@ METHOD_LOOKS = {
     "icl": ("#dfe3e8", "||||"),
     "tocc": (ACCENT, ""),
     "tocc-span": ("#a9bdf5", "\\\\\\\\"),
+    "tocc-taught": ("#a9bdf5", "...."),
     "no-context": ("#f0eeea", "----"),
+    "people": (INK, ""),
 }
-"""Fill and hatch of each method."""
+"""Fill and hatch of each method, and of people."""
 OTHER_LOOK = ("#f0eeea", "oo")
 MARKERS = {MODEL: "D", "GPT-4o-mini": "o", "Deepseek-8B": "s"}
 """The paper's models, hollow."""

@@ -10,7 +10,7 @@ from reibench.errors import ReibenchError
 from reibench.run import RunSpec, evaluate
 from reibench.worlds.embedded import embedded_world
 from study.__main__ import main
-from study.analysis import agreement, analyse, lines, mixed_model, trials_frame, versus
+from study.analysis import agreement, analyse, draw, lines, mixed_model, trials_frame, versus
 from study.simulating import Character, Simulation
 
 
@@ -93,6 +93,16 @@ def test_people_are_counted_beside_every_run_of_the_database(studied):
     told = "\n".join(lines(found))
     assert "people against expert" in told
     assert "log odds of a person -" in told
+
+
+def test_people_are_drawn_a_bar_a_level(studied, tmp_path):
+    enrolment, study = studied
+    files = draw(enrolment, study.name, tmp_path, everybody=True)
+    assert {file.suffix for file in files} == {".svg", ".png", ".pdf"}
+    svg = (tmp_path / "people-by-level.svg").read_text()
+    for level in study.chosen()[:9]:
+        reference, context = level.vagueness
+        assert f"people {reference}-{context} solved" in svg
 
 
 def test_simulated_people_are_left_out_unless_asked_for(studied, capsys):
