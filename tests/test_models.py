@@ -73,12 +73,19 @@ def test_the_packaged_model_is_always_there():
 
 def test_the_default_is_the_first_one_present(tmp_path, monkeypatch):
     monkeypatch.setenv("REIBENCH_MODELS", str(tmp_path))
-    assert models.best_present() == "gemma-3-270m"
     preferred = models.shelf()[0]
-    (tmp_path / preferred.file).write_bytes(b"GGUF")
+    assert models.best_present() == preferred.name == "gemma-3-270m+planner"
+    larger = next(model for model in models.shelf() if "qwen" in model.name)
+    (tmp_path / larger.file).write_bytes(b"GGUF")
     assert models.best_present() == preferred.name
     assert [entry.model.name for entry in models.overview() if entry.default] == [preferred.name]
     assert f"* {preferred.name}" in models.table()
+
+
+def test_an_adapter_comes_with_its_base_and_no_other_file_is_fetched():
+    taught, plain = models.find("gemma-3-270m+planner"), models.find("gemma-3-270m")
+    assert models.path_of(taught.name) == models.path_of(plain.name)
+    assert set(models.adapters_of(taught.name)) == {"planner", "resolver"}
 
 
 def test_an_unknown_model_is_answered_with_a_known_one():

@@ -108,7 +108,7 @@ def test_the_shelf_tells_which_models_are_here(visit):
     shelf = demo.page.locator("#shelf")
     expect(shelf).to_be_visible()
     expect(shelf).to_contain_text("gemma-3-270m")
-    expect(demo.page.locator("#shelf input[value='tocc-span']")).to_be_checked()
+    expect(demo.page.locator("#shelf input[value='tocc-taught']")).to_be_checked()
     demo.page.locator("#shelf input[value='tocc']").check()
     demo.settled()
     expect(demo.page.locator("#shelf input[value='tocc']")).to_be_checked()
