@@ -110,6 +110,9 @@ def _add_simulations(add: Callable[..., ArgumentParser]) -> None:
     simulate.add_argument("--leave", type=float, default=0.02, help="share of trials left at")
     simulate.add_argument("--together", type=int, default=4, help="so many at a time")
     simulate.add_argument("--seed", type=int, default=1)
+    simulate.add_argument(
+        "--browser", action="store_true", help="in a real Chromium, by Playwright, one by one"
+    )
     add_database(simulate)
     simulate.set_defaults(command=_simulate)
     bench = add("bench", help="how fast the pages answer many participants at once")
@@ -229,7 +232,10 @@ def _simulate(arguments: Namespace) -> int:
         raise ReibenchError("--n and --together must be at least 1.")
     character = Character(skill=arguments.skill, leave=arguments.leave)
     simulation = Simulation(_enrolment(arguments), arguments.study, character, arguments.seed)
-    outcomes = simulation.run(arguments.n, together=arguments.together, tell=tell)
+    if arguments.browser:
+        outcomes = simulation.in_a_browser(arguments.n, tell=tell)
+    else:
+        outcomes = simulation.run(arguments.n, together=arguments.together, tell=tell)
     say(table(sorted(Counter(one.state for one in outcomes).items()), ["people", "number"]))
     return 0
 

@@ -1,6 +1,7 @@
 """What researchers see."""
 
 from collections.abc import Mapping, Sequence
+from datetime import UTC, datetime
 from typing import Any
 
 from reibench.pages.head import STYLES, THEME
@@ -82,7 +83,7 @@ def study(
         facts,
         _states(name, str(real["state"]), token),
         element("h2", "People"),
-        _people(name, people),
+        _people(name, people, about.recent_minutes),
         element("h2", "Trials held at each level"),
         _cells(about, real["cells"]),
         element("h2", "Download"),
@@ -111,7 +112,14 @@ def _states(name: str, now: str, token: str) -> str:
     )
 
 
-def _people(name: str, people: Sequence[Person]) -> str:
+def _state_of(one: Person, recent: float) -> str:
+    """Return what became of somebody; who has done nothing for long is away."""
+    since = datetime.now(UTC) - datetime.fromisoformat(one.seen)
+    away = one.state == "active" and since.total_seconds() > 60 * recent
+    return "away" if away else one.state
+
+
+def _people(name: str, people: Sequence[Person], recent: float) -> str:
     if not people:
         return element("p", "Nobody has come yet.", class_="muted")
     heads = (
@@ -122,7 +130,7 @@ def _people(name: str, people: Sequence[Person]) -> str:
         [
             _link(f"/admin/{name}/people/{one.code}", one.code)
             + (" (simulated)" if one.simulated else ""),
-            text(one.state),
+            text(_state_of(one, recent)),
             text(f"{one.stage} {one.place + 1}" if one.stage in ("trial", "after") else one.stage),
             str(one.trials),
             f"{one.seconds:.1f}" if one.seconds is not None else "–",

@@ -53,6 +53,10 @@ class Page:
     link: str = ""
     room: str = ""
     """Where the task was that questions are asked about."""
+    solved: bool | None = None
+    """Whether it was carried out; only where the study reveals it."""
+    seconds_left: float | None = None
+    """Of a trial with a time limit."""
 
 
 class Flow:
@@ -219,12 +223,13 @@ class Flow:
         page = Page(who, study, stage, who.place)
         if stage in ("practice", "trial"):
             sitting = self._sitting(who, study, stage)
-            if sitting.status is None and _late(study, stage, sitting, self._store.query):
+            left = self._seconds_left(study, stage, sitting)
+            if sitting.status is None and left is not None and left <= 0:
                 sitting = self._sittings_of(study).done(
                     sitting.id, who.code, len(sitting.steps) + 1
                 )
             if sitting.status is None:
-                return replace(page, sitting=sitting)
+                return replace(page, sitting=sitting, seconds_left=left)
             with self._store.writing() as database:
                 self._after_playing(database, who, study)
             return self._page(self.enrolment.participant(who.token))
@@ -235,8 +240,11 @@ class Flow:
             return replace(page, ending=ending, code=code, link=link)
         asked = questions_at(study, stage)
         wrong = self._wrong(who, asked) if stage == "quiz" else ()
-        room = self._given(who, "trial").room if stage == "after" else ""
-        return replace(page, questions=asked, wrong=wrong, room=room)
+        if stage != "after":
+            return replace(page, questions=asked, wrong=wrong)
+        given = self._given(who, "trial")
+        solved = self._solved(given) if study.reveal_success else None
+        return replace(page, questions=asked, room=given.room, solved=solved)
 
     def _sitting(self, who: Participant, study: Study, stage: Stage) -> Sitting:
         """Return the episode that is being played, begun if need be."""
@@ -255,6 +263,18 @@ class Flow:
 
     def _given(self, who: Participant, stage: Stage) -> Assignment:
         return self.enrolment.assignments(who.code, stage)[who.place]
+
+    def _solved(self, given: Assignment) -> bool | None:
+        found = self._store.entries("id = ?", [given.record])
+        return found[0].status == "success" if found else None
+
+    def _seconds_left(self, study: Study, stage: Stage, sitting: Sitting) -> float | None:
+        """Return how long a trial may still last, by the server's clock; None without a limit."""
+        if not study.trial_minutes or stage != "trial":
+            return None
+        [row] = self._store.query("select started from records where id = ?", [sitting.id])
+        passed = datetime.now(UTC) - datetime.fromisoformat(row["started"])
+        return 60 * study.trial_minutes - passed.total_seconds()
 
     def _wrong(self, who: Participant, asked: tuple[Question, ...]) -> tuple[Question, ...]:
         rows = self._store.query(
@@ -277,7 +297,7 @@ class Flow:
                 go(database, who, "practice", who.place + 1)
             else:
                 go(database, who, "quiz" if study.quiz else "trial")
-        elif study.after_trial:
+        elif study.after_trial or study.reveal_success:
             go(database, who, "after", who.place)
         else:
             self._after_trial(database, who, study)
@@ -299,20 +319,6 @@ class Flow:
             go(database, who, "end")
         else:
             end(database, who, "completed")
-
-
-def _late(
-    study: Study,
-    stage: Stage,
-    sitting: Sitting,
-    query: Callable[[str, list[object]], list[dict[str, str]]],
-) -> bool:
-    """Whether a trial's time is up, by the server's clock."""
-    if not study.trial_minutes or stage != "trial":
-        return False
-    [row] = query("select started from records where id = ?", [sitting.id])
-    passed = datetime.now(UTC) - datetime.fromisoformat(row["started"])
-    return passed.total_seconds() > 60 * study.trial_minutes
 
 
 def _no_model(name: str) -> Backend:

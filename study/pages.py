@@ -19,7 +19,7 @@ from study.stages import STAGES, Stage
 BUS = """
 window.reiTrigger = (name, data) => trigger(name, data);
 window.dispatchEvent(new Event("rei:bus"));
-// events: 'consent' 'read' 'step' 'done' 'answer' 'withdraw'
+// events: 'consent' 'read' 'step' 'done' 'answer' 'look' 'withdraw'
 """
 PARTS = ("where", "bar", "talk", "room", "act", "card", "extra")
 Answer = tuple[Any, ...]
@@ -60,9 +60,12 @@ class Sent:
         )
 
 
-def build(enrolment: Enrolment) -> gr.Blocks:
-    """Return the participants' page as a Gradio app, for every study of the database."""
-    taking_part = TakingPart(enrolment)
+def build(enrolment: Enrolment, *, simulated: bool = False) -> gr.Blocks:
+    """Return the participants' page as a Gradio app, for every study of the database.
+
+    `simulated` marks everybody who comes to it.
+    """
+    taking_part = TakingPart(enrolment, simulated=simulated)
     blocks: gr.Blocks = gr.Blocks(title="Study", analytics_enabled=False)
     with blocks:
         visitor = gr.BrowserState({}, storage_key="reibench-study", secret="reibench")
@@ -75,7 +78,7 @@ def build(enrolment: Enrolment) -> gr.Blocks:
             "api_visibility": "private",
             "trigger_mode": "multiple",
         }
-        for name in ("consent", "read", "step", "done", "answer", "withdraw"):
+        for name in ("consent", "read", "step", "done", "answer", "look", "withdraw"):
             getattr(bus, name)(getattr(taking_part, name), [visitor], outputs, **quick)
         blocks.load(taking_part.arrive, [visitor], [visitor, *outputs], **quick)
     return blocks
@@ -176,6 +179,10 @@ class TakingPart:
             event,
             lambda token, sent: self.flow.answer(token, sent.stage, sent.place, sent.answers),
         )
+
+    def look(self, known: object, event: gr.EventData) -> Answer:
+        """Show where somebody is now: their time may be up."""
+        return self._do(known, event, lambda token, sent: self.flow.page(token))
 
     def withdraw(self, known: object, event: gr.EventData) -> Answer:
         """Leave the study."""

@@ -3,7 +3,6 @@
 What they leave behind is marked, and exports leave it out unless asked.
 """
 
-import resource
 import sys
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -11,7 +10,7 @@ from dataclasses import dataclass, field
 from random import Random
 from time import perf_counter, time
 from types import SimpleNamespace
-from typing import Any
+from typing import Any, Protocol
 
 from reibench.episode import Episode
 from reibench.methods import Instruction
@@ -67,6 +66,24 @@ class Simulation:
         self._episodes = {episode.id: episode for episode in all_episodes()}
         self._solutions: dict[str, list[str]] = {}
 
+    def in_a_browser(self, number: int, *, tell: Tell) -> list[Outcome]:
+        """Let so many people take part in a real Chromium, one after another.
+
+        Raises:
+            ReibenchError: when Playwright or Chromium is not there.
+        """
+        from study.browsing import Browsing
+
+        outcomes = []
+        with Browsing(self._enrolment, self._study.name) as browsing:
+            for place in range(number):
+                choose = Random(f"{self._seed}/{place}")
+                visitor = browsing.visitor()
+                outcome = self._through(visitor, choose)
+                outcomes.append(outcome)
+                tell(f"[{len(outcomes)}/{number}] {outcome.code}: {outcome.state}")
+        return outcomes
+
     def run(self, number: int, *, together: int, tell: Tell) -> list[Outcome]:
         """Let so many people take part, some at a time, and return what became of each."""
         with ThreadPoolExecutor(together) as pool:
@@ -78,7 +95,10 @@ class Simulation:
 
     def _person(self, number: int) -> Outcome:
         choose = Random(f"{self._seed}/{number}")
-        visitor = _Visitor(self._page, self._study.name)
+        return self._through(_Visitor(self._page, self._study.name), choose)
+
+    def _through(self, visitor: "Visitor", choose: Random) -> Outcome:
+        """Lead a visitor through the whole study."""
         visitor.load()
         outcome = Outcome("", "")
         while (page := self._flow.page(visitor.token)).stage != "over":
@@ -90,7 +110,7 @@ class Simulation:
         outcome.state = self._flow.page(visitor.token).participant.state
         return outcome
 
-    def _act(self, visitor: "_Visitor", page: Page, choose: Random, outcome: Outcome) -> None:
+    def _act(self, visitor: "Visitor", page: Page, choose: Random, outcome: Outcome) -> None:
         match page.stage:
             case "consent":
                 visitor.send("consent", page, agreed=True)
@@ -102,7 +122,7 @@ class Simulation:
                 answers = {one.name: self._answer(one, page, choose) for one in page.questions}
                 visitor.send("answer", page, answers=answers)
 
-    def _play(self, visitor: "_Visitor", page: Page, choose: Random, outcome: Outcome) -> None:
+    def _play(self, visitor: "Visitor", page: Page, choose: Random, outcome: Outcome) -> None:
         """Play a task to its end: as the expert does, or short of it."""
         assert page.sitting is not None
         skills = list(self._solution(page.sitting.episode))
@@ -151,6 +171,23 @@ _HARMLESS = [skill for skill in SKILLS if str(skill).startswith("slice")]
 """What changes nothing without a knife in hand, and leads nowhere."""
 
 
+class Visitor(Protocol):
+    """Somebody at the page."""
+
+    @property
+    def token(self) -> str:
+        """What the server knows them by."""
+        ...
+
+    def load(self) -> None:
+        """Load the page."""
+        ...
+
+    def send(self, name: str, page: Page, **data: Any) -> None:
+        """Do on the page what sends this event."""
+        ...
+
+
 class _Visitor:
     """A browser: what it remembers, and the events it sends."""
 
@@ -188,7 +225,6 @@ def bench(enrolment: Enrolment, name: str, participants: int, tell: Tell) -> dic
         participants, together=participants, tell=tell
     )
     seconds = sorted(second for outcome in outcomes for second in outcome.seconds)
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     return {
         "participants": participants,
         "finished": sum(outcome.state == "finished" for outcome in outcomes),
@@ -196,8 +232,18 @@ def bench(enrolment: Enrolment, name: str, participants: int, tell: Tell) -> dic
         "steps": len(seconds),
         "step_p50_ms": round(1000 * _quantile(seconds, 0.5), 1),
         "step_p99_ms": round(1000 * _quantile(seconds, 0.99), 1),
-        "memory_mb": round(peak / (1 << 20 if sys.platform == "darwin" else 1 << 10)),
+        "memory_mb": _peak_megabytes(),
     }
+
+
+def _peak_megabytes() -> int | None:
+    """Return the most memory this process has had; None where the system does not tell."""
+    try:
+        import resource  # Windows has none
+    except ImportError:
+        return None
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return round(peak / (1 << 20 if sys.platform == "darwin" else 1 << 10))
 
 
 def _quantile(ordered: Sequence[float], part: float) -> float:

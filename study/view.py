@@ -34,6 +34,8 @@ def where(page: Page) -> str:
         data_step=step,
         data_view="play" if playing else "card",
         data_shows=page.study.shows,
+        data_left=None if page.seconds_left is None else round(max(page.seconds_left, 0)) + 1,
+        data_limit=round(60 * page.study.trial_minutes) or None,
     )
 
 
@@ -183,6 +185,7 @@ def _form(page: Page, told: str) -> str:
             class_="notice",
             role="alert",
         )
+    told = _outcome(page) + told
     asked = [_question(one, page, wrong=one in page.wrong) for one in page.questions]
     go = _button(
         "Check my answers" if page.stage == "quiz" else "Continue", "answer", "btn primary"
@@ -190,6 +193,14 @@ def _form(page: Page, told: str) -> str:
     return element(
         "form", title, tries, *asked, told, element("div", go, class_="row end"), id="questions"
     )
+
+
+def _outcome(page: Page) -> str:
+    """Return how the task came out, where the study tells people."""
+    if page.solved is None:
+        return ""
+    words = "You did what was asked." if page.solved else "What was asked has not been done."
+    return element("p", words, class_="notice", role="status")
 
 
 def _question(question: Question, page: Page, *, wrong: bool) -> str:
@@ -276,6 +287,11 @@ def actions(page: Page, sitting: Sitting, notice: str = "") -> str:
     parts = [budget(len(sitting.steps), sitting.max_steps), step_list(sitting.steps, empty=empty)]
     if page.stage == "practice":
         parts.append(_practice(sitting))
+    if page.seconds_left is not None:
+        bar = element("span", element("i"), class_="bar", id="time")
+        parts.append(
+            element("div", element("h3", "Time", class_="label"), bar, class_="row budget")
+        )
     if notice:
         parts.append(element("p", text(notice), class_="notice", role="status"))
     hint = element("span", "Press it when you think that the wish is carried out.", class_="small")

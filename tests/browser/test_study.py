@@ -6,6 +6,7 @@ import pytest
 from playwright.sync_api import expect
 
 from reibench.store import Store
+from study.__main__ import main
 from study.config import read_study
 from study.enrolment import Enrolment
 from tests.browser import serving
@@ -209,3 +210,12 @@ def test_a_study_there_is_none_of_is_said_in_a_sentence(served):
     person.page.goto(f"{person.address}/s/%3Cimg%20src=x%20onerror=alert(1)%3E")
     expect(person.page.locator("#card")).to_contain_text("No study called")
     assert not person.trouble
+
+
+def test_a_simulated_person_takes_part_in_a_real_browser(chromium, study, capsys):
+    db = ["--db", str(study.store.path)]
+    assert main(["simulate", "household", "--n", "1", "--browser", "--seed", "3", *db]) == 0
+    assert "finished" in capsys.readouterr().out
+    [row] = study.store.query("select simulated, state from participants")
+    assert (row["simulated"], row["state"]) == (1, "finished")
+    assert study.store.query("select count(*) as n from page_times")[0]["n"] > 10

@@ -6,6 +6,7 @@ import pytest
 
 from reibench.errors import ReibenchError, StaleStep, UnknownName, UnknownSkill
 from reibench.store import Store
+from study import view
 from study.enrolment import Enrolment
 from study.flow import Flow
 from tests.study.conftest import go_to, right
@@ -215,3 +216,25 @@ def test_a_spent_budget_ends_a_trial(enrolment, short):
     go_to(flow, token, "trial")
     flow.step(token, "trial", 0, "find a fridge", 1, 1)
     assert flow.step(token, "trial", 0, "find a sink", 2, 1).stage == "after"
+
+
+def test_people_learn_how_it_came_out_only_where_the_study_says_so(enrolment, short, flow, someone):
+    page = go_to(flow, someone, "after")
+    assert page.solved is None
+    enrolment.create(replace(short, name="told", reveal_success=True, after_trial=()))
+    token = enrolment.arrive("told", {}).token
+    page = go_to(flow, token, "after")
+    assert page.solved is False
+    assert "has not been done" in view.card(page)
+    assert flow.answer(token, "after", 0, {}).stage == "trial"
+
+
+def test_a_time_limit_is_shown_and_counted_by_the_server(enrolment, short):
+    enrolment.create(replace(short, name="timed", trial_minutes=5))
+    flow = Flow(enrolment)
+    token = enrolment.arrive("timed", {}).token
+    page = go_to(flow, token, "trial")
+    assert 290 < page.seconds_left <= 300
+    assert 'id="time"' in view.actions(page, page.sitting)
+    assert 'data-limit="300"' in view.where(page)
+    assert go_to(flow, token, "after").seconds_left is None

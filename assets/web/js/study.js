@@ -62,6 +62,22 @@ document.addEventListener("change", (event) => {
   if (go) go.disabled = !event.target.checked;
 });
 
+// ---- a time limit, as a calm bar
+
+let ending = 0;
+let until = 0;
+function watchTime(at) {
+  clearTimeout(ending);
+  if (!at.left) return;
+  until = performance.now() + 1000 * Number(at.left);
+  ending = setTimeout(() => send("look"), 1000 * Number(at.left));
+}
+setInterval(() => {
+  const bar = document.querySelector("#time i");
+  const limit = Number(where().limit ?? 0);
+  if (bar && limit) bar.style.width = `${Math.max(0, (until - performance.now()) / (10 * limit))}%`;
+}, 500);
+
 // ---- after each change
 
 let last = "";
@@ -74,6 +90,7 @@ onChange(() => {
   const stage = `${at.stage}/${at.place}`;
   const fresh = !last.startsWith(`${stage}/`);
   last = now;
+  watchTime(at);
   shownAt = Date.now();
   hidden = 0;
   if (!fresh) return;
