@@ -65,7 +65,7 @@ class Slots:
         if self._prefixes is None or len(tokens) < WORTH:
             return 0
         request: dict[str, object] = {**variant.request, "id_slot": slot, "cache_prompt": True}
-        if variant.name:
+        if variant.request:
             # a slot whose adapter changes forgets what it has, so it changes before that is there
             self._ask(request | {"prompt": list(tokens[:1]), "n_predict": 0})
         if self._restored(self._prefixes, prefix, slot):
