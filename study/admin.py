@@ -71,6 +71,16 @@ def _serve_studies(app: FastAPI, enrolment: Enrolment) -> None:
         enrolment.set_state(name, wanted, reason[:500])
         return RedirectResponse(f"../{name}", 303)
 
+    @app.get("/{name}/analysis")
+    def analysis(name: str, everybody: bool = False) -> HTMLResponse:
+        from study.analysis import analyse, draw, lines  # pandas takes a second to import
+
+        found = analyse(enrolment, name, everybody=everybody)
+        with TemporaryDirectory() as folder:
+            drawn = draw(enrolment, name, Path(folder), everybody=everybody)
+            [picture] = [file.read_text() for file in drawn if file.suffix == ".svg"]
+        return HTMLResponse(admin_view.analysis(name, lines(found), picture, everybody=everybody))
+
     @app.get("/{name}/export.zip")
     def download(name: str, everybody: bool = False) -> Response:
         with TemporaryDirectory() as folder:

@@ -86,6 +86,8 @@ def study(
         _people(name, people, about.recent_minutes),
         element("h2", "Trials held at each level"),
         _cells(about, real["cells"]),
+        element("h2", "What came out"),
+        element("p", _link(f"/admin/{name}/analysis", "Analysis: people by level, and planners")),
         element("h2", "Download"),
         element(
             "p",
@@ -94,6 +96,20 @@ def study(
             _link(f"/admin/{name}/export.zip?everybody=true", "simulated and rejected people too"),
         ),
         refresh=True,
+    )
+
+
+def analysis(name: str, lines: Sequence[str], picture: str, *, everybody: bool) -> str:
+    """Return the page with an analysis and its figure, an SVG document of our own."""
+    drawn = picture[picture.index("<svg") :]
+    other = "" if everybody else "?everybody=true"
+    words = "without simulated people" if everybody else "simulated and rejected people too"
+    return _page(
+        f"Analysis of {name}",
+        _link(f"/admin/{name}", "Back to the study"),
+        element("p", _link(f"/admin/{name}/analysis{other}", words)),
+        element("div", drawn, class_="figure"),
+        element("pre", text("\n".join(lines)), class_="scrolls", tabindex="0"),
     )
 
 

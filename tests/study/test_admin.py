@@ -16,7 +16,7 @@ from tests.study.conftest import go_to
 SECRET = "correct horse battery"
 PATHS = (
     "/admin/", "/admin/household", "/admin/household/export.zip", "/admin/household/people/XXXXXX",
-    "/admin/household/people/XXXXXX/abc",
+    "/admin/household/people/XXXXXX/abc", "/admin/household/analysis",
 )  # fmt: skip
 BAD = ["../../etc/passwd", "' or 1=1 --", "<script>alert(1)</script>", "%00"]
 
@@ -130,6 +130,13 @@ def test_a_name_that_is_none_is_refused_and_shown_as_text(researcher, played, na
         assert answer.status_code in (400, 404)
         assert "<script>alert" not in answer.text
     assert played.store.query("select * from participants") == before
+
+
+def test_an_analysis_is_shown_with_its_figure(researcher):
+    assert "Nobody has finished" in researcher.get("/admin/household/analysis").text
+    page = researcher.get("/admin/household/analysis?everybody=true").text
+    assert "success by level" in page
+    assert "<svg" in page
 
 
 def test_everything_can_be_downloaded(researcher):
