@@ -1,12 +1,13 @@
 """A person takes part in a study, in a real browser, whatever happens on the way."""
 
+import subprocess
+import sys
 from dataclasses import replace
 
 import pytest
 from playwright.sync_api import expect
 
 from reibench.store import Store
-from study.__main__ import main
 from study.config import read_study
 from study.enrolment import Enrolment
 from tests.browser import serving
@@ -212,10 +213,13 @@ def test_a_study_there_is_none_of_is_said_in_a_sentence(served):
     assert not person.trouble
 
 
-def test_a_simulated_person_takes_part_in_a_real_browser(chromium, study, capsys):
-    db = ["--db", str(study.store.path)]
-    assert main(["simulate", "household", "--n", "1", "--browser", "--seed", "3", *db]) == 0
-    assert "finished" in capsys.readouterr().out
+def test_a_simulated_person_takes_part_in_a_real_browser(chromium, study):
+    # Playwright runs once a process
+    command = [sys.executable, "-m", "study", "simulate", "household", "--n", "1", "--browser"]
+    command += ["--seed", "3", "--db", str(study.store.path)]
+    run = subprocess.run(command, cwd=serving.ROOT, capture_output=True, text=True, check=False)
+    assert run.returncode == 0, run.stderr
+    assert "finished" in run.stdout
     [row] = study.store.query("select simulated, state from participants")
     assert (row["simulated"], row["state"]) == (1, "finished")
     assert study.store.query("select count(*) as n from page_times")[0]["n"] > 10
