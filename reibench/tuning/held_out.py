@@ -6,7 +6,8 @@ from reibench.dataset.realise.tasks import Solvable, tasks
 from reibench.dialogue import LEVELS
 from reibench.episode import Episode
 from reibench.errors import ReibenchError
-from reibench.household import load_room, room_names
+from reibench.household import load_room
+from reibench.household.rooms import ROOMS
 from reibench.tuning.restatements import untaught_lexicon
 
 SEED = 2_000_000
@@ -26,7 +27,8 @@ def held_out_episodes(number: int, seed: int, solvable: Solvable) -> list[Episod
     if number < 1:
         raise ReibenchError(f"--n {number} makes no episode; ask for at least 1.")
     realiser = Realiser(untaught_lexicon())
-    rooms = [load_room(name) for name in room_names()]
+    # rooms imported on this machine are no part of it
+    rooms = [load_room(path.stem) for path in sorted(ROOMS.glob("*.json"))]
     levels = [level for level in LEVELS if level.context != "alone"]
     made: list[Episode] = []
     for found in tasks(rooms, SEED + seed, solvable):
