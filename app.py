@@ -4,7 +4,6 @@ import argparse
 import os
 import sys
 from pathlib import Path
-from typing import Any
 from urllib.parse import urlencode
 
 os.environ.setdefault("GRADIO_ANALYTICS_ENABLED", "False")  # read when gradio is imported
@@ -22,6 +21,7 @@ from reibench.errors import ReibenchError
 from reibench.pages import demo
 from reibench.pages.head import HEAD, head
 from reibench.pages.listening import listen
+from reibench.pages.wiring import MOUNTED
 from reibench.run import RunSpec
 from reibench.sittings import Sittings
 from reibench.store import Store
@@ -54,14 +54,11 @@ def make_app(database: str, model: str = "", world: str = "embedded") -> FastAPI
         query = urlencode({"study": study, **request.query_params})
         return RedirectResponse(f"/study/?{query}")
 
-    shown: dict[str, Any] = {
-        "favicon_path": WEB / "favicon.svg", "footer_links": [], "run_history": False,
-        "enable_monitoring": False,
-    }  # fmt: skip
+    shown = {"favicon_path": WEB / "favicon.svg", **MOUNTED}
     enrolment = Enrolment(store)
     app.mount("/admin", study_admin.build(enrolment))
     taking_part = study_pages.build(enrolment)
-    gr.mount_gradio_app(app, taking_part, path="/study", head=head("study", "study"), **shown)
+    gr.mount_gradio_app(app, taking_part, path="/study", head=head("study", "study"), **MOUNTED)
     page = demo.build(sittings, model=model)
     return gr.mount_gradio_app(app, page, path="/", head=HEAD, **shown)
 

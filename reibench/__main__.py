@@ -1,6 +1,5 @@
 """The command line: `python -m reibench COMMAND`."""
 
-import logging
 import sys
 from argparse import ArgumentParser
 from collections.abc import Sequence
@@ -21,8 +20,7 @@ from reibench.commands import (
     training,
     viewing,
 )
-from reibench.commands.output import tell
-from reibench.errors import ReibenchError
+from reibench.commands.entry import enter
 
 COMMANDS = {
     "list": (listing, "what there is: episodes, rooms, skills, planners …"),
@@ -53,20 +51,7 @@ def parser() -> ArgumentParser:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return its exit status: 2 for a user's mistake."""
-    logging.basicConfig(level=logging.ERROR, format="%(message)s")
-    parsed = parser().parse_args(arguments)
-    try:
-        status: int = parsed.command(parsed)
-    except ReibenchError as problem:
-        tell(str(problem))
-        return 2
-    except KeyboardInterrupt:
-        tell("Stopped. What was finished is kept; the same command goes on from there.")
-        return 130
-    except BrokenPipeError:
-        sys.stderr.close()
-        return 0
-    return status
+    return enter(parser(), arguments)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,5 @@
 """The study's command line: `python -m study COMMAND`."""
 
-import logging
 import sys
 from argparse import ArgumentParser, Namespace
 from collections import Counter
@@ -9,6 +8,7 @@ from dataclasses import asdict, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from reibench.commands.entry import enter
 from reibench.commands.options import add_database, add_json, existing_database, listed
 from reibench.commands.output import say, say_json, table, tell
 from reibench.errors import ReibenchError
@@ -123,17 +123,7 @@ def _add_simulations(add: Callable[..., ArgumentParser]) -> None:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return its exit status: 2 for a user's mistake."""
-    logging.basicConfig(level=logging.ERROR, format="%(message)s")
-    parsed = parser().parse_args(arguments)
-    try:
-        status: int = parsed.command(parsed)
-    except ReibenchError as problem:
-        tell(str(problem))
-        return 2
-    except BrokenPipeError:
-        sys.stderr.close()
-        return 0
-    return status
+    return enter(parser(), arguments)
 
 
 def _enrolment(arguments: Namespace) -> Enrolment:

@@ -70,15 +70,13 @@ class Browsing:
         from fastapi.staticfiles import StaticFiles
 
         from reibench.pages.head import head
+        from reibench.pages.wiring import MOUNTED
         from study import pages
 
         app = FastAPI()
         app.mount("/web", StaticFiles(directory=WEB), name="web")
         blocks = pages.build(self._enrolment, simulated=True)
-        gr.mount_gradio_app(
-            app, blocks, path="/study", head=head("study", "study"), footer_links=[],
-            run_history=False, enable_monitoring=False,
-        )  # fmt: skip
+        gr.mount_gradio_app(app, blocks, path="/study", head=head("study", "study"), **MOUNTED)
         with socket.create_server(("127.0.0.1", 0)) as probe:
             port = int(probe.getsockname()[1])
         config = uvicorn.Config(app, port=port, log_level="warning")

@@ -2,22 +2,20 @@
 
 import json
 import secrets
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
-from datetime import UTC, datetime, timedelta
 from functools import lru_cache
 from random import Random
 from typing import Any, Literal, get_args
 
 from sqlite_utils import Database
 
-from reibench.episode import Episode
 from reibench.errors import ReibenchError, unknown
 from reibench.store import Store
 from reibench.store.schema import now
-from study import schema
+from study import places, schema
 from study.config import Study, all_episodes, from_json
-from study.designs import designs
+from study.designs import Comer, designs
 from study.texts import fingerprint
 
 State = Literal["active", "finished", "no_consent", "failed_check", "withdrawn", "rejected"]
@@ -113,8 +111,13 @@ class Enrolment:
             raise unknown("study", name, [row["name"] for row in self.studies()])
         return _parsed(rows[0]["json"])
 
+    def is_stopped(self, name: str) -> bool:
+        """Whether nobody may go on with a study any more."""
+        rows = self.store.query("select state from studies where name = ?", [name])
+        return bool(rows) and rows[0]["state"] == "stopped"
+
     def set_state(self, name: str, state: RunState, reason: str = "") -> None:
-        """Open, pause or stop a study; who has begun may always go on, unless it is stopped."""
+        """Open, pause or stop a study; who has begun goes on while it is paused, not stopped."""
         self.study(name)
         with self.store.writing() as database:
             database.execute("update studies set state = ? where name = ?", [state, name])
@@ -161,12 +164,12 @@ class Enrolment:
                 return known
             self._admit(database, study, invite, simulated=simulated)
             code, token = _code(6), secrets.token_urlsafe(16)
-            slot = _slot(database, study, simulated=simulated)
-            filled = _filled(database, study, simulated=simulated)
+            slot = places.free_slot(database, study, simulated=simulated)
+            held = places.filled(database, study, simulated=simulated)
             seed = Random(f"{study.name}/{study.seed}/{code}").randrange(2**31)
-            chosen = designs.create(study.design).assign(
-                _pool(study), study.trials, slot, filled, Random(seed)
-            )
+            comer = Comer(slot, held, Random(seed))
+            pool = places.pool_of(study)
+            chosen = designs.create(study.design).assign(pool, study.trials, comer)
             row = {
                 "token": token, "code": code, "study": name, "version": study.version,
                 "slot": slot, "seed": seed, "stage": "consent", "state": "active",
@@ -178,7 +181,7 @@ class Enrolment:
             database.execute(
                 f"insert into participants ({', '.join(row)}) values ({marks})", list(row.values())
             )
-            _assign(database, code, study, chosen)
+            places.assign(database, code, study, chosen)
         return self.participant(token)
 
     def _admit(self, database: Database, study: Study, invite: str, *, simulated: bool) -> None:
@@ -196,7 +199,7 @@ class Enrolment:
             raise Closed("This invitation is not known. Please use the link as it was sent to you.")
         if study.invited_only and not invite:
             raise Closed("This study is for people who were invited. Please use your own link.")
-        if study.people and _slot(database, study, simulated=simulated) >= study.people:
+        if study.people and places.free_slot(database, study, simulated=simulated) >= study.people:
             raise Closed("This study has all the people it needs. Thank you for your interest.")
 
     def participant(self, token: str) -> Participant:
@@ -209,7 +212,7 @@ class Enrolment:
     def filled(self, study: Study, *, simulated: bool = False) -> dict[str, int]:
         """Return how often each episode is held by who finished or takes part, by its id."""
         with self.store.writing() as database:
-            return _filled(database, study, simulated=simulated)
+            return places.filled(database, study, simulated=simulated)
 
     def assignments(self, code: str, kind: str = "trial") -> list[Assignment]:
         """Return what a participant is to play, in order."""
@@ -239,48 +242,6 @@ def _participant(row: Mapping[str, Any]) -> Participant:
     )
 
 
-def _holding(study: Study, *, simulated: bool) -> tuple[str, list[object]]:
-    """Return the condition for participants who hold their place, and its parameters.
-
-    Simulated people take no place from real ones.
-    """
-    since = datetime.now(UTC) - timedelta(minutes=study.recent_minutes)
-    return (
-        "study = ? and simulated = ? and (state = 'finished' or (state = 'active' and seen > ?))",
-        [study.name, simulated, since.isoformat(timespec="milliseconds")],
-    )
-
-
-def _slot(database: Database, study: Study, *, simulated: bool) -> int:
-    """Return the least slot that nobody holds."""
-    where, values = _holding(study, simulated=simulated)
-    rows = database.execute(f"select slot from participants where {where}", values).fetchall()
-    held = {row[0] for row in rows}
-    return next(slot for slot in range(len(held) + 1) if slot not in held)
-
-
-def _filled(database: Database, study: Study, *, simulated: bool) -> dict[str, int]:
-    where, values = _holding(study, simulated=simulated)
-    rows = database.execute(
-        "select episode, count(*) from assignments join participants on participant = code"
-        f" where kind = 'trial' and {where} group by episode",
-        values,
-    ).fetchall()
-    return {row[0]: row[1] for row in rows}
-
-
-def _assign(database: Database, code: str, study: Study, chosen: Sequence[Episode]) -> None:
-    shipped = {episode.id: episode for episode in all_episodes()}
-    practice = [shipped[name] for name in study.practice]
-    for kind, episodes in (("practice", practice), ("trial", chosen)):
-        for place, episode in enumerate(episodes):
-            database.execute(
-                "insert into assignments (participant, kind, place, episode, task, level)"
-                " values (?, ?, ?, ?, ?, ?)",
-                [code, kind, place, episode.id, episode.task.id, str(episode.vagueness)],
-            )
-
-
 def log(
     database: Database, study: str, participant: str | None, what: str, reason: str = ""
 ) -> None:
@@ -297,12 +258,3 @@ def _code(length: int) -> str:
 @lru_cache(maxsize=32)
 def _parsed(text: str) -> Study:
     return from_json(text)
-
-
-@lru_cache(maxsize=8)
-def _pool_of(text: str) -> tuple[Episode, ...]:
-    return tuple(from_json(text).chosen())
-
-
-def _pool(study: Study) -> tuple[Episode, ...]:
-    return _pool_of(study.to_json())

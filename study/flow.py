@@ -19,14 +19,19 @@ from reibench.store.schema import now
 from reibench.watching import Sitting
 from study.answering import Answers, checked, keep_answers, wrong_answers
 from study.config import Ending, Question, Study, all_episodes
-from study.enrolment import Assignment, Enrolment, Participant
+from study.enrolment import Assignment, Closed, Enrolment, Participant
 from study.stages import (
     Stage,
+    after_playing,
+    after_quiz,
+    after_trial,
+    after_tutorial,
     end,
     ending_of,
     go,
     questions_at,
     refuse_elsewhere,
+    see,
     stage_of,
 )
 
@@ -87,7 +92,11 @@ class Flow:
 
     def read(self, token: str) -> Page:
         """Have read the tutorial."""
-        return self._move(token, "tutorial", 0, self._after_tutorial)
+
+        def note(database: Database, who: Participant) -> None:
+            after_tutorial(database, who, self.enrolment.study(who.study, who.version))
+
+        return self._move(token, "tutorial", 0, note)
 
     def step(
         self, token: str, stage: Stage, place: int, skill: str, expected: int, seconds: float | None
@@ -103,6 +112,8 @@ class Flow:
             assert page.sitting is not None
             sittings = self._sittings_of(page.study)
             sittings.step(page.sitting.id, page.participant.code, skill, expected, seconds)
+            with self._store.writing() as database:
+                see(database, page.participant)
             return self.page(token)
 
     def done(self, token: str, stage: Stage, place: int, expected: int) -> Page:
@@ -131,11 +142,11 @@ class Flow:
             attempt = who.quiz_tries + 1
             keep_answers(database, who.code, stage, place, attempt, asked, given)
             if stage == "quiz":
-                self._after_quiz(database, who, study, wrong_answers(asked, given))
+                after_quiz(database, who, study, wrong_answers(asked, given))
             elif stage == "end":
                 end(database, who, "completed")
             else:
-                self._after_trial(database, who, study)
+                after_trial(database, who, study)
 
         return self._move(token, stage, place, note)
 
@@ -160,8 +171,8 @@ class Flow:
                 database.execute(
                     "update participants set parameters = '{}' where code = ?", [who.code]
                 )
+                self._store.forget(database, records)
                 end(database, who, "withdrawn")
-            self._store.forget(records)
             return self.page(token)
 
     def timed(
@@ -206,11 +217,18 @@ class Flow:
             with self._store.writing() as database:
                 who = self.enrolment.participant(token)
                 refuse_elsewhere(who, stage, place)
+                self._refuse_stopped(who)
                 change(database, who)
             return self.page(token)
 
+    def _refuse_stopped(self, who: Participant) -> None:
+        if who.state == "active" and self.enrolment.is_stopped(who.study):
+            raise Closed("This study has been stopped. What you have done is kept. Thank you.")
+
     def _playing(self, token: str, stage: Stage, place: int) -> Page:
-        refuse_elsewhere(self.enrolment.participant(token), stage, place)
+        who = self.enrolment.participant(token)
+        refuse_elsewhere(who, stage, place)
+        self._refuse_stopped(who)
         page = self.page(token)
         if (page.stage, page.place) != (stage, place) or page.sitting is None:
             raise StaleStep("This task is over. The page now shows where you are.")
@@ -231,7 +249,7 @@ class Flow:
             if sitting.status is None:
                 return replace(page, sitting=sitting, seconds_left=left)
             with self._store.writing() as database:
-                self._after_playing(database, who, study)
+                after_playing(database, who, study)
             return self._page(self.enrolment.participant(who.token))
         if stage == "over":
             ending = ending_of(who)
@@ -284,41 +302,6 @@ class Flow:
         )
         names = {row["question"] for row in rows}
         return tuple(question for question in asked if question.name in names)
-
-    # what follows what
-
-    def _after_tutorial(self, database: Database, who: Participant) -> None:
-        study = self.enrolment.study(who.study, who.version)
-        go(database, who, "practice" if study.practice else "quiz" if study.quiz else "trial")
-
-    def _after_playing(self, database: Database, who: Participant, study: Study) -> None:
-        if who.stage == "practice":
-            if who.place + 1 < len(study.practice):
-                go(database, who, "practice", who.place + 1)
-            else:
-                go(database, who, "quiz" if study.quiz else "trial")
-        elif study.after_trial or study.reveal_success:
-            go(database, who, "after", who.place)
-        else:
-            self._after_trial(database, who, study)
-
-    def _after_quiz(
-        self, database: Database, who: Participant, study: Study, wrong: tuple[Question, ...]
-    ) -> None:
-        tries = who.quiz_tries + 1
-        database.execute("update participants set quiz_tries = ? where code = ?", [tries, who.code])
-        if not wrong:
-            go(database, who, "trial")
-        elif tries >= study.quiz_tries:
-            end(database, who, "failed_check")
-
-    def _after_trial(self, database: Database, who: Participant, study: Study) -> None:
-        if who.place + 1 < study.trials:
-            go(database, who, "trial", who.place + 1)
-        elif study.at_end:
-            go(database, who, "end")
-        else:
-            end(database, who, "completed")
 
 
 def _no_model(name: str) -> Backend:

@@ -8,6 +8,7 @@ import gradio as gr
 
 from reibench.errors import ReibenchError, StaleStep
 from reibench.pages.asking import visitor_token
+from reibench.pages.wiring import QUICK
 from reibench.view.icons import sprite
 from reibench.view.markup import element, text
 from reibench.view.screens import picker_panel
@@ -72,15 +73,9 @@ def build(enrolment: Enrolment, *, simulated: bool = False) -> gr.Blocks:
         bus = gr.HTML(_frame(), elem_id="bus", js_on_load=BUS, apply_default_css=False)
         reply, parts = _lay_out()
         outputs = [reply, *parts]
-        quick: dict[str, Any] = {
-            "queue": False,
-            "show_progress": "hidden",
-            "api_visibility": "private",
-            "trigger_mode": "multiple",
-        }
         for name in ("consent", "read", "step", "done", "answer", "look", "withdraw"):
-            getattr(bus, name)(getattr(taking_part, name), [visitor], outputs, **quick)
-        blocks.load(taking_part.arrive, [visitor], [visitor, *outputs], **quick)
+            getattr(bus, name)(getattr(taking_part, name), [visitor], outputs, **QUICK)
+        blocks.load(taking_part.arrive, [visitor], [visitor, *outputs], **QUICK)
     return blocks
 
 

@@ -15,7 +15,7 @@ from reibench.errors import ReibenchError, unknown
 from reibench.score import wilson
 from study.analysis import versus
 from study.config import Study
-from study.designs import designs
+from study.designs import Comer, designs
 
 ALPHA = 0.05
 RUN = "planner"
@@ -96,7 +96,7 @@ def _one_study(
     rows = []
     for slot in range(people):
         of_person = choose.gauss(0, expected.between_people)
-        for episode in design.assign(pool, study.trials, slot, filled, choose):
+        for episode in design.assign(pool, study.trials, Comer(slot, filled, choose)):
             filled[episode.id] = filled.get(episode.id, 0) + 1
             chance = expected.person[episode.vagueness.reference]
             solved = _draw(chance, of_person + of_task[episode.task.id], choose)

@@ -46,6 +46,11 @@ def refuse_elsewhere(who: Participant, stage: Stage, place: int) -> None:
         raise StaleStep("This page was behind. It now shows where you are.")
 
 
+def see(database: Database, who: Participant) -> None:
+    """Note that somebody has just done something, which keeps their place for them."""
+    database.execute("update participants set seen = ? where code = ?", [now(), who.code])
+
+
 def go(database: Database, who: Participant, stage: Stage, place: int = 0) -> None:
     """Let somebody go on to a stage."""
     database.execute(
@@ -63,3 +68,43 @@ def end(database: Database, who: Participant, ending: Ending) -> None:
         [state, now(), now(), who.code],
     )
     log(database, who.study, who.code, ending)
+
+
+def after_tutorial(database: Database, who: Participant, study: Study) -> None:
+    """Let somebody go on who has read the instructions."""
+    go(database, who, "practice" if study.practice else "quiz" if study.quiz else "trial")
+
+
+def after_playing(database: Database, who: Participant, study: Study) -> None:
+    """Let somebody go on whose practice task or trial is over."""
+    if who.stage == "practice":
+        if who.place + 1 < len(study.practice):
+            go(database, who, "practice", who.place + 1)
+        else:
+            go(database, who, "quiz" if study.quiz else "trial")
+    elif study.after_trial or study.reveal_success:
+        go(database, who, "after", who.place)
+    else:
+        after_trial(database, who, study)
+
+
+def after_quiz(
+    database: Database, who: Participant, study: Study, wrong: tuple[Question, ...]
+) -> None:
+    """Let somebody go on, try again or be through, after the quiz."""
+    tries = who.quiz_tries + 1
+    database.execute("update participants set quiz_tries = ? where code = ?", [tries, who.code])
+    if not wrong:
+        go(database, who, "trial")
+    elif tries >= study.quiz_tries:
+        end(database, who, "failed_check")
+
+
+def after_trial(database: Database, who: Participant, study: Study) -> None:
+    """Let somebody go on who has answered what is asked after a trial."""
+    if who.place + 1 < study.trials:
+        go(database, who, "trial", who.place + 1)
+    elif study.at_end:
+        go(database, who, "end")
+    else:
+        end(database, who, "completed")

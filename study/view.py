@@ -4,16 +4,15 @@ from collections.abc import Sequence
 
 from markdown_it import MarkdownIt
 
-from reibench.household import load_room
-from reibench.skill import in_words
 from reibench.view.dialogue import conversation
 from reibench.view.markup import classes, element, text
 from reibench.view.room_panel import room_panel
 from reibench.view.screens import scenes_of
 from reibench.view.steps import announcement, budget, step_list
 from reibench.watching import Sitting
-from study.config import Question, Study
+from study.config import Study
 from study.flow import Page
+from study.forms import button, form
 
 STEPS = ("Consent", "Practice", "Quiz", "Tasks", "Questions")
 """What the bar calls the stages; people see no others."""
@@ -83,7 +82,7 @@ def _ways(page: Page) -> list[str]:
     if page.stage in ("consent", "over"):
         return []
     kept = element("span", "Everything is saved", class_="small muted hide-m")
-    ways = [kept, _button("Help", "help", "btn sm")] if page.stage != "tutorial" else [kept]
+    ways = [kept, button("Help", "help", "btn sm")] if page.stage != "tutorial" else [kept]
     leave = element("span", "Leave") + element("span", "the study", class_="hide-m")
     away = element(
         "button",
@@ -94,10 +93,6 @@ def _ways(page: Page) -> list[str]:
         aria_label="Leave the study",
     )
     return [*ways, away]
-
-
-def _button(words: str, what: str, kind: str) -> str:
-    return element("button", text(words), type="button", class_=kind, data_do=what)
 
 
 # pages to read and to answer
@@ -112,12 +107,12 @@ def card(page: Page, notice: str = "") -> str:
         case "consent":
             parts = [_read(page.study, "consent"), told, _consent()]
         case "tutorial":
-            go = _button("Continue", "read", "btn primary")
+            go = button("Continue", "read", "btn primary")
             parts = [_read(page.study, "tutorial"), told, element("div", go, class_="row end")]
         case "over":
             parts = [_over(page)]
         case _:
-            parts = [_form(page, told)]
+            parts = [form(page, told)]
     return element("main", *parts, class_="card", id="card", tabindex="-1")
 
 
@@ -126,9 +121,9 @@ def leaving() -> str:
     words = element("p", "If you leave, your answers are deleted and you cannot come back.")
     ways = element(
         "div",
-        _button("Stay", "stay", "btn primary"),
+        button("Stay", "stay", "btn primary"),
         element("span", class_="grow"),
-        _button("Leave and delete my answers", "withdraw", "btn"),
+        button("Leave and delete my answers", "withdraw", "btn"),
         class_="row",
     )
     inside = element("h2", "Leave the study?") + words + ways
@@ -139,7 +134,7 @@ def leaving() -> str:
 
 def helping(study: Study) -> str:
     """Return the instructions to read again."""
-    close = element("div", _button("Close", "close-help", "btn primary"), class_="row end")
+    close = element("div", button("Close", "close-help", "btn primary"), class_="row end")
     return element(
         "dialog",
         _read(study, "tutorial"),
@@ -159,7 +154,7 @@ def _consent() -> str:
     agree = element("label", box, "I am 18 or older and I agree to take part.", class_="answer")
     ways = element(
         "div",
-        _button("I do not agree", "decline", "btn"),
+        button("I do not agree", "decline", "btn"),
         element("span", class_="grow"),
         element(
             "button",
@@ -172,76 +167,6 @@ def _consent() -> str:
         class_="row",
     )
     return agree + ways
-
-
-def _form(page: Page, told: str) -> str:
-    titles = {"quiz": "A few questions about the instructions", "after": "About this task"}
-    title = element("h1", text(titles.get(page.stage, "Last questions")))
-    tries = ""
-    if page.stage == "quiz" and page.participant.quiz_tries:
-        tries = element(
-            "p",
-            "Not quite. Read what is said below, and try once more.",
-            class_="notice",
-            role="alert",
-        )
-    told = _outcome(page) + told
-    asked = [_question(one, page, wrong=one in page.wrong) for one in page.questions]
-    go = _button(
-        "Check my answers" if page.stage == "quiz" else "Continue", "answer", "btn primary"
-    )
-    return element(
-        "form", title, tries, *asked, told, element("div", go, class_="row end"), id="questions"
-    )
-
-
-def _outcome(page: Page) -> str:
-    """Return how the task came out, where the study tells people."""
-    if page.solved is None:
-        return ""
-    words = "You did what was asked." if page.solved else "What was asked has not been done."
-    return element("p", words, class_="notice", role="status")
-
-
-def _question(question: Question, page: Page, *, wrong: bool) -> str:
-    legend = element("legend", text(question.text))
-    why = element("p", text(question.why), class_="notice") if wrong and question.why else ""
-    if question.kind == "text":
-        field = element(
-            "textarea", "", name=question.name, rows=4, maxlength=2000, aria_label=question.text
-        )
-        optional = element("p", "You may leave this empty.", class_="small muted")
-        return element("fieldset", legend, optional if question.optional else "", field)
-    if question.kind == "object":
-        return element("fieldset", legend, _objects(question, page))
-    if question.kind == "scale":
-        return element("fieldset", legend, _scale(question))
-    answers = [_radio(question.name, option, option) for option in question.options]
-    return element("fieldset", legend, *answers, why)
-
-
-def _radio(name: str, value: str, words: str) -> str:
-    box = element("input", type="radio", name=name, value=value)
-    return element("label", box, text(words), class_="answer")
-
-
-def _scale(question: Question) -> str:
-    ends = question.options
-    points = [_radio(question.name, str(n), str(n)) for n in range(1, question.points + 1)]
-    low, high = element("span", text(ends[0])), element("span", text(ends[-1]))
-    return element("div", low, *points, high, class_="scale")
-
-
-def _objects(question: Question, page: Page) -> str:
-    """Return a choice among the kinds of things in the room, in alphabetical order."""
-    room = load_room(page.room)
-    names = sorted({in_words(thing.type): thing.type for thing in room.objects}.items())
-    options = [element("option", "Choose …", value="")] + [
-        element("option", text(words), value=name) for words, name in names
-    ]
-    return element(
-        "select", *options, name=question.name, class_="native", aria_label=question.text
-    )
 
 
 def _over(page: Page) -> str:

@@ -10,6 +10,7 @@ import gradio as gr
 from reibench.errors import ReibenchError
 from reibench.pages.asking import Ask, visitor_token
 from reibench.pages.showing import Links, Showing
+from reibench.pages.wiring import QUICK
 from reibench.sittings import Sittings
 from reibench.view.screens import Screen, frame, loading, picker_panel
 
@@ -37,22 +38,16 @@ def build(sittings: Sittings, *, links: Links = (("Demo", "/"),), model: str = "
         bus = gr.HTML(frame(), elem_id="bus", js_on_load=BUS, apply_default_css=False)
         reply, parts = _lay_out()
         outputs = [reply, *parts.values()]
-        quick: dict[str, Any] = {
-            "queue": False,
-            "show_progress": "hidden",
-            "api_visibility": "private",
-            "trigger_mode": "multiple",
-        }
-        slow = quick | {"queue": True, "concurrency_limit": 8}
+        slow = QUICK | {"queue": True, "concurrency_limit": 8}
         watching = bus.watch(demo.watch, [visitor], outputs, **slow, concurrency_id="watch")
         bus.fetch(demo.fetch, [visitor], outputs, **slow, concurrency_id="fetch")
         for name in ("step", "done", "solve", "row", "halt", "look", "seek"):
-            getattr(bus, name)(getattr(demo, name), [visitor], outputs, **quick)
+            getattr(bus, name)(getattr(demo, name), [visitor], outputs, **QUICK)
         for name in ("choose", "again"):
             # whatever is being watched ends: its answers would overwrite the new choice
             handler = getattr(demo, name)
-            getattr(bus, name)(handler, [visitor], outputs, cancels=[watching], **quick)
-        blocks.load(demo.restore, [visitor], [visitor, *outputs], **quick)
+            getattr(bus, name)(handler, [visitor], outputs, cancels=[watching], **QUICK)
+        blocks.load(demo.restore, [visitor], [visitor, *outputs], **QUICK)
     return blocks
 
 

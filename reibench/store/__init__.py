@@ -194,13 +194,12 @@ class Store(DatabaseFile):
             ],
         )
 
-    def forget(self, record_ids: Iterable[str]) -> None:
-        """Delete records with their steps and frames, for people who want that."""
-        with self.writing() as database:
-            for record_id in record_ids:
-                database.execute("delete from steps where record = ?", [record_id])
-                database.execute("delete from records where id = ?", [record_id])
-                self.frames.forget(record_id)
+    def forget(self, database: Database, record_ids: Iterable[str]) -> None:
+        """Delete records with their steps and frames, inside the transaction of `writing`."""
+        for record_id in record_ids:
+            database.execute("delete from steps where record = ?", [record_id])
+            database.execute("delete from records where id = ?", [record_id])
+            self.frames.forget(record_id)
 
     def keep(self, record: Record) -> None:
         """Write a record that was begun here and played elsewhere: all of it, or nothing."""

@@ -24,7 +24,7 @@ Kind = Literal["planner", "resolver"]
 BASE = "gemma-3-270m"
 ROOMS = 60
 """Rooms of each kind to teach in."""
-SAMPLES: dict[Kind, int] = {"planner": 2400, "resolver": 1600}
+SAMPLES: dict[Kind, int] = {"planner": 3000, "resolver": 1600}
 NEEDED = ("torch", "transformers", "peft", "gguf")
 INSTALL = "pip install -r requirements-train.txt"
 
@@ -87,15 +87,7 @@ def teach(recipe: Recipe, folder: Path, tell: Told, base: "Loaded | None" = None
         ModelUnavailable: when packages or the model are missing.
         ReibenchError: when `folder` has been begun by another recipe.
     """
-    if missing := [name for name in NEEDED if find_spec(name) is None]:
-        raise ModelUnavailable(
-            f"Training needs what is not installed here ({', '.join(missing)}); install it with"
-            f" '{INSTALL}'."
-        )
-    if recipe.lessons < recipe.batch:
-        raise ReibenchError(
-            f"{recipe.lessons} samples are less than one batch; take at least {recipe.batch}."
-        )
+    _check(recipe)
     # all of it heavy
     from reibench.backends.transformers.loading import load
     from reibench.backends.transformers.source import Source
@@ -125,6 +117,19 @@ def teach(recipe: Recipe, folder: Path, tell: Told, base: "Loaded | None" = None
     taught = Taught(file, recipe, seconds, trainer.losses, versions)
     (folder / "card.json").write_text(_card(taught), encoding="utf-8")
     return taught
+
+
+def _check(recipe: Recipe) -> None:
+    """Refuse what cannot be taught here."""
+    if missing := [name for name in NEEDED if find_spec(name) is None]:
+        raise ModelUnavailable(
+            f"Training needs what is not installed here ({', '.join(missing)}); install it with"
+            f" '{INSTALL}'."
+        )
+    if recipe.lessons < recipe.batch:
+        raise ReibenchError(
+            f"{recipe.lessons} samples are less than one batch; take at least {recipe.batch}."
+        )
 
 
 def _claim(folder: Path, recipe: Recipe) -> None:

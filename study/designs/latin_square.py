@@ -1,12 +1,11 @@
 """Latin square: tasks against levels, so that each task meets each level equally often."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from math import lcm
-from random import Random
 
 from reibench.episode import Episode
 from reibench.errors import ReibenchError
-from study.designs import designs
+from study.designs import Comer, designs
 
 
 @designs.register("latin-square")
@@ -27,22 +26,15 @@ class LatinSquare:
                 f" there are {len(pool)} episodes; choose whole tasks, or the design least-filled."
             )
 
-    def assign(
-        self,
-        pool: Sequence[Episode],
-        trials: int,
-        slot: int,
-        filled: Mapping[str, int],
-        choose: Random,
-    ) -> list[Episode]:
+    def assign(self, pool: Sequence[Episode], trials: int, comer: Comer) -> list[Episode]:
         """Return the stretch that belongs to the slot."""
         cells = {(episode.task.id, episode.vagueness): episode for episode in pool}
         tasks = list(dict.fromkeys(episode.task.id for episode in pool))
         levels = sorted({episode.vagueness for episode in pool})
         turn = lcm(len(tasks), len(levels))
-        numbers = range(slot * trials, (slot + 1) * trials)
+        numbers = range(comer.slot * trials, (comer.slot + 1) * trials)
         chosen = [
             cells[tasks[n % len(tasks)], levels[(n + n // turn) % len(levels)]] for n in numbers
         ]
-        choose.shuffle(chosen)
+        comer.choose.shuffle(chosen)
         return chosen

@@ -7,7 +7,7 @@ import pytest
 from reibench.errors import ReibenchError, StaleStep, UnknownName, UnknownSkill
 from reibench.store import Store
 from study import view
-from study.enrolment import Enrolment
+from study.enrolment import Closed, Enrolment
 from study.flow import Flow
 from tests.study.conftest import go_to, right
 
@@ -238,3 +238,28 @@ def test_a_time_limit_is_shown_and_counted_by_the_server(enrolment, short):
     assert 'id="time"' in view.actions(page, page.sitting)
     assert 'data-limit="300"' in view.where(page)
     assert go_to(flow, token, "after").seconds_left is None
+
+
+def test_a_stopped_study_goes_on_for_nobody_and_a_paused_one_does(enrolment, flow, someone, short):
+    go_to(flow, someone, "trial")
+    enrolment.set_state(short.name, "paused")
+    flow.step(someone, "trial", 0, "find a fridge", 1, 1)
+    enrolment.set_state(short.name, "stopped", "enough")
+    before = everything(flow)
+    for attempt in (
+        lambda: flow.step(someone, "trial", 0, "find a sink", 2, 1),
+        lambda: flow.done(someone, "trial", 0, 2),
+    ):
+        with pytest.raises(Closed, match="stopped"):
+            attempt()
+    assert everything(flow) == before
+    assert flow.withdraw(someone).ending == "withdrawn"
+
+
+def test_whoever_does_something_keeps_their_place(flow, someone, enrolment):
+    go_to(flow, someone, "trial")
+    with enrolment.store.writing() as database:
+        database.execute("update participants set seen = '2020-01-01'")
+    flow.step(someone, "trial", 0, "find a fridge", 1, 1)
+    [row] = enrolment.store.query("select seen from participants")
+    assert row["seen"] > "2021"
