@@ -63,6 +63,12 @@ class Pool(Generic[T]):
             self._on_return(value)
         return lease
 
+    def peek(self, owner: str) -> T | None:
+        """Return what `owner` has, without lending it; None if that is nothing."""
+        with self._lock:
+            lease = self._leases.get(owner)
+        return lease.value if lease else None
+
     def take_back(self, owner: str) -> None:
         """Take back what `owner` has, if anything."""
         with self._lock:

@@ -106,7 +106,8 @@ class Rollout:
         thought = perf_counter() - self._clock if seconds is None else seconds
         event = self._world.step(decision.skill)
         self._clock = perf_counter()
-        self.steps.append(Step(number, decision, event, thought))
+        # to a tenth of a millisecond, as the database keeps it
+        self.steps.append(Step(number, decision, event, round(thought, 4)))
         return self.steps[-1]
 
     def finish(self, closing: Closing | None = None) -> None:

@@ -12,7 +12,7 @@ from reibench.episode import Episode
 from reibench.errors import ReibenchError, StaleStep, unknown
 from reibench.planners import Decision
 from reibench.pool import Lease, Pool
-from reibench.rollout import Rollout
+from reibench.rollout import Record, Rollout
 from reibench.run import RunSpec, make_world
 from reibench.skill import Skill, parse_skill
 from reibench.store import Entry, Origin, Store
@@ -232,12 +232,24 @@ class Sittings:
         if self._entry(entry.id, entry.visitor or "").status is not None:
             raise StaleStep("This episode is over; start it again to go on acting.")
 
+    def _live_record(self, entry: Entry) -> Record | None:
+        """Return an unfinished record from memory, where that is as far as the database is.
+
+        Reading it anew would take longer with every step, and make other objects of every scene.
+        """
+        live = self._live.peek(entry.id)
+        if live is None or live.rollout.said_done:
+            return None
+        record = live.rollout.record(entry.id, entry.actor)
+        return record if len(record.steps) == self._store.steps_done(entry.id) else None
+
     def _show(self, sitting_id: str, visitor: str) -> Sitting:
         entry = self._entry(sitting_id, visitor)
-        record = self._store.record(sitting_id)
+        over = entry.status is not None
+        record = None if over else self._live_record(entry)
+        record = record or self._store.record(sitting_id)
         if record.start is None:
             raise RuntimeError(f"record {sitting_id} has no start scene")
-        over = entry.status is not None
         return Sitting(
             id=record.id,
             visitor=visitor,

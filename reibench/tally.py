@@ -8,10 +8,8 @@ import pandas as pd
 
 from reibench.backends import Usage
 from reibench.dialogue import Vagueness
-from reibench.faults import fault_kind
 from reibench.store import Store
 from reibench.store.thoughts import usage_from_json
-from reibench.verdict import error_kind
 
 SETTINGS = ("world", "rules", "max_steps", "seed", "code")
 """What a run's spec says beside planner, method and model."""
@@ -49,21 +47,19 @@ def records_frame(store: Store, origin: str = "run") -> pd.DataFrame:
     return pd.DataFrame([dict(_told(row)) for row in rows])
 
 
-def note_faults(store: Store) -> int:
-    """Judge old failures by today's rules, where those have changed since; return how many."""
+def note_faults(store: Store, most: int = -1) -> int:
+    """Judge old records by today's rules, where those have changed since; return how many.
+
+    At most so many, the latest first; a negative number for all.
+    """
     rows = store.query(
-        "select id from records where fault is null and status in ('failure', 'truncated')"
+        "select id from records where status not null and (reason is null"
+        " or (fault is null and status in ('failure', 'truncated')))"
+        " order by finished desc limit ?",
+        [most],
     )
-    records = [store.record(row["id"]) for row in rows]
-    if records:
-        with store.writing() as database:
-            for record in records:
-                kind, fault = error_kind(record), fault_kind(record)
-                database.execute(
-                    "update records set error_kind = ?, fault = ? where id = ?",
-                    [kind and str(kind), fault and str(fault), record.id],
-                )
-    return len(records)
+    store.judge(store.record(row["id"]) for row in rows)
+    return len(rows)
 
 
 def _told(row: dict[str, Any]) -> Iterator[tuple[str, Any]]:

@@ -117,6 +117,9 @@ def _add_simulations(add: Callable[..., ArgumentParser]) -> None:
     simulate.set_defaults(command=_simulate)
     bench = add("bench", help="how fast the pages answer many participants at once")
     bench.add_argument("--participants", type=int, default=50)
+    bench.add_argument(
+        "--pause", type=float, default=4.0, help="seconds of thought before a click (4); 0: none"
+    )
     add_json(bench)
     bench.set_defaults(command=_bench)
 
@@ -235,11 +238,13 @@ def _bench(arguments: Namespace) -> int:
 
     if arguments.participants < 1:
         raise ReibenchError("--participants must be at least 1.")
+    if not 0 <= arguments.pause <= 60:
+        raise ReibenchError(f"--pause {arguments.pause} should be from 0 to 60 seconds.")
     with TemporaryDirectory(prefix="reibench-study-") as folder:
         enrolment = Enrolment(Store(Path(folder) / "bench.db"))
         study = replace(read_study(FOLDER / "study.toml"), people=0)
         enrolment.create(study)
-        result = bench(enrolment, study.name, arguments.participants, tell)
+        result = bench(enrolment, study.name, arguments.participants, arguments.pause, tell)
     if arguments.json:
         say_json(result)
     else:

@@ -192,6 +192,7 @@ class TakingPart:
         """Let somebody do something, and show where they are then, and what was in the way."""
         data = event._data if isinstance(event._data, Mapping) else {}
         seq, name = _whole(data.get("seq")), str(data.get("study") or "")
+        stands = False
         token = known.get(name) if isinstance(known, Mapping) else None
         if not isinstance(token, str):
             return _answer(seq, None, "Please open the link to the study again.")
@@ -201,17 +202,22 @@ class TakingPart:
             if sent.times:
                 self.flow.timed(token, sent.stage, sent.place, sent.expected, sent.times)
             page = act(token, sent)
+            # within a task, what was said and the bar are on the page already
+            stands = sent.expected > 0 and (page.stage, page.place) == (sent.stage, sent.place)
         except ReibenchError as problem:
             notice = str(problem)
             try:
                 page = self.flow.page(token)
             except ReibenchError:
                 return _answer(seq, None, "Please open the link to the study again.")
-        return _answer(seq, page, notice)
+        return _answer(seq, page, notice, stands=stands)
 
 
-def _answer(seq: int, page: Page | None, notice: str = "") -> Answer:
-    """Return the new values of the page's parts, after the number of what is answered."""
+def _answer(seq: int, page: Page | None, notice: str = "", *, stands: bool = False) -> Answer:
+    """Return the new values of the page's parts, after the number of what is answered.
+
+    `stands` says that the page shows this very task already.
+    """
     stamp = f'<i data-reply="{seq}" hidden></i>'
     if page is None:
         told = element("main", element("p", text(notice), role="alert"), class_="card", id="card")
@@ -223,16 +229,10 @@ def _answer(seq: int, page: Page | None, notice: str = "") -> Answer:
             stamp, view.where(page), view.header(page), "", "", "", view.card(page, notice), extra,
         )  # fmt: skip
     room = view.room(playing) if page.study.shows == "text and room" else ""
-    return (
-        stamp,
-        view.where(page),
-        view.header(page),
-        view.talk(playing),
-        room,
-        view.actions(page, playing, notice),
-        "",
-        extra,
-    )
+    where, actions = view.where(page), view.actions(page, playing, notice)
+    if stands:
+        return (stamp, where, gr.skip(), gr.skip(), room, actions, gr.skip(), gr.skip())
+    return (stamp, where, view.header(page), view.talk(playing), room, actions, "", extra)
 
 
 def _whole(value: object) -> int:

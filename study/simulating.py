@@ -7,8 +7,9 @@ import sys
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
+from math import log
 from random import Random
-from time import perf_counter, time
+from time import perf_counter, sleep, time
 from types import SimpleNamespace
 from typing import Any, Protocol
 
@@ -23,6 +24,7 @@ from study.config import Question, all_episodes
 from study.enrolment import Enrolment
 from study.flow import Page
 from study.pages import TakingPart
+from study.places import pool_of
 
 Tell = Callable[[str], object]
 
@@ -41,6 +43,8 @@ class Character:
     """How often somebody leaves the study, at the start of a trial."""
     quiz: float = 0.9
     """How often a quiz question is answered rightly at the first try."""
+    pause: float = 0.0
+    """Seconds on average from one answer of the page to the next click; each is drawn anew."""
 
 
 @dataclass
@@ -65,6 +69,11 @@ class Simulation:
         self._flow = self._page.flow
         self._episodes = {episode.id: episode for episode in all_episodes()}
         self._solutions: dict[str, list[str]] = {}
+
+    def prepare(self) -> None:
+        """Solve every task of the study ahead, as those who know it will."""
+        for episode in pool_of(self._study):
+            self._solution(episode)
 
     def in_a_browser(self, number: int, *, tell: Tell) -> list[Outcome]:
         """Let so many people take part in a real Chromium, one after another.
@@ -103,6 +112,8 @@ class Simulation:
         outcome = Outcome("", "")
         while (page := self._flow.page(visitor.token)).stage != "over":
             outcome.code = page.participant.code
+            if page.sitting is None:
+                self._think(choose)  # and read
             if page.stage == "trial" and choose.random() < self._character.leave:
                 visitor.send("withdraw", page)
             else:
@@ -135,13 +146,23 @@ class Simulation:
             if room and choose.random() < self._character.hesitation:
                 tried.insert(0, str(choose.choice(_HARMLESS)))
             for text in tried:
+                seconds = self._think(choose)
                 started = perf_counter()
-                visitor.send("step", page, skill=text, expected=len(done) + 1, seconds=2.5)
+                visitor.send("step", page, skill=text, expected=len(done) + 1, seconds=seconds)
                 outcome.seconds.append(perf_counter() - started)
                 done.append(text)
             if choose.random() < self._character.reload:
                 visitor.load()
         visitor.send("done", page, expected=len(done) + 1)
+
+    def _think(self, choose: Random) -> float:
+        """Pause as long as somebody thinks, and return how long they say it was."""
+        if not self._character.pause:
+            return 2.5
+        # quick clicks and long looks: the shape of response times
+        seconds = min(choose.lognormvariate(log(self._character.pause) - 0.125, 0.5), 60.0)
+        sleep(seconds)
+        return seconds
 
     def _solution(self, episode: Episode) -> Sequence[str]:
         if episode.id not in self._solutions:
@@ -219,14 +240,22 @@ class _Visitor:
         getattr(self._page, name)(self._known, event)
 
 
-def bench(enrolment: Enrolment, name: str, participants: int, tell: Tell) -> dict[str, Any]:
-    """Let participants take part all at once, and return how fast the page answers their steps."""
-    outcomes = Simulation(enrolment, name, Character(leave=0.02), 1).run(
-        participants, together=participants, tell=tell
-    )
+def bench(
+    enrolment: Enrolment, name: str, participants: int, pause: float, tell: Tell
+) -> dict[str, Any]:
+    """Let participants take part all at once, and return how fast the page answers their steps.
+
+    `pause` is how many seconds they think before each click, on average.
+    """
+    character = Character(leave=0.02, pause=pause)
+    # solving the tasks beforehand is not what is measured
+    simulation = Simulation(enrolment, name, character, 1)
+    simulation.prepare()
+    outcomes = simulation.run(participants, together=participants, tell=tell)
     seconds = sorted(second for outcome in outcomes for second in outcome.seconds)
     return {
         "participants": participants,
+        "pause_s": pause,
         "finished": sum(outcome.state == "finished" for outcome in outcomes),
         "accounted_for": sum(outcome.state != "active" for outcome in outcomes),
         "steps": len(seconds),

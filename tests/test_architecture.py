@@ -36,10 +36,11 @@ LEVELS = {
     "methods": 4, "dataset": 4, "pool": 4,
     "planners": 5,
     "rollout": 6,
+    "explanation": 7, "cases": 8,
     "verdict": 7, "faults": 7, "version": 7, "run": 7, "store": 7, "score": 7, "report": 7,
     "tally": 7, "published": 1,
     "replay": 7, "watching": 7, "sittings": 7, "view": 7, "fidelity": 7, "evaluation": 7,
-    "tuning": 8, "bench": 8, "commands": 8, "pages": 8, "__main__": 8,
+    "tuning": 8, "bench": 8, "commands": 9, "pages": 9, "__main__": 9,
 }  # fmt: skip
 MODULES = sorted((ROOT / "reibench").rglob("*.py"))
 HEAVY = (

@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from reibench.explanation import explain
 from reibench.faults import fault_kind
 from reibench.verdict import error_kind
 
@@ -29,7 +30,7 @@ def judged(labelled, shipped, click):
             rollout.finish()
         record = rollout.record("again", "person")
         assert record.status in ("failure", "truncated"), one
-        found.append((one, error_kind(record), fault_kind(record)))
+        found.append((one, error_kind(record), fault_kind(record), explain(record)))
     return found
 
 
@@ -40,10 +41,16 @@ def test_there_are_enough_of_them_and_of_each_kind(labelled):
 
 
 def test_the_program_agrees_with_the_reader_on_the_papers_two_kinds(judged):
-    apart = [one for one, error, _ in judged if one["error"] != error]
+    apart = [one for one, error, *_ in judged if one["error"] != error]
     assert len(apart) <= 0.05 * len(judged), apart
 
 
 def test_the_program_agrees_with_the_reader_on_the_finer_kind(judged):
-    apart = [(one["episode"], one["kind"], kind) for one, _, kind in judged if one["kind"] != kind]
+    apart = [(one["episode"], kind) for one, _, kind, _ in judged if one["kind"] != kind]
     assert len(apart) <= 0.05 * len(judged), apart
+
+
+def test_the_sentence_about_each_is_the_one_that_was_read_and_found_right(judged):
+    apart = [(one["sentence"], said) for one, _, _, said in judged if one["sentence"] != said]
+    assert len(judged) >= 30
+    assert not apart

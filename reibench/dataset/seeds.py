@@ -37,6 +37,7 @@ _CARE = {
     TaskType.CLEAN: "Apple Bowl ButterKnife Cloth Cup DishSponge Egg Fork Kettle Knife Ladle"
     " Lettuce Mug Pan Plate Pot Potato SoapBar Spatula Spoon Tomato",
 }
+CARE = {task_type: tuple(names.split()) for task_type, names in _CARE.items()}
 """What ALFRED heats, cools and cleans."""
 _KINDS = {
     "food": "Apple Bread Egg Lettuce Potato Tomato",
@@ -196,7 +197,7 @@ def options(rooms: Sequence[Room], task_type: TaskType) -> Iterator[tuple[Goal, 
 def _goals(room: Room, task_type: TaskType) -> Iterator[Goal]:
     """Yield what could be asked for in a room."""
     present = {thing.type for thing in room.objects}
-    for name in sorted(present & set(_CARE.get(task_type, " ".join(_KIND_OF)).split())):
+    for name in sorted(present & set(CARE.get(task_type, _KIND_OF))):
         if task_type is TaskType.EXAMINE:
             yield from _lights(name, present)
         elif task_type is TaskType.STACK:

@@ -12,7 +12,6 @@ from sqlite_utils import Database
 from reibench.dataset.files import digest, episode_from_json, episode_to_json
 from reibench.episode import Episode
 from reibench.errors import UnknownName
-from reibench.faults import fault_kind
 from reibench.planners import Decision
 from reibench.rollout import Record, Rollout, Step
 from reibench.run import RunSpec
@@ -20,9 +19,9 @@ from reibench.skill import parse_skill
 from reibench.store import codec, thoughts
 from reibench.store.database_file import DatabaseFile
 from reibench.store.frames import FrameFolder
+from reibench.store.judging import judge
 from reibench.store.schema import now
 from reibench.store.steps import step_row, steps_of
-from reibench.verdict import error_kind
 from reibench.worlds import Event
 
 Origin = Literal["run", "demo", "study"]
@@ -177,14 +176,12 @@ class Store(DatabaseFile):
         return record
 
     def _close(self, database: Database, record: Record) -> None:
-        kind, fault = error_kind(record), fault_kind(record)
+        judge(database, record)
         database.execute(
-            "update records set status = ?, error_kind = ?, fault = ?, said_done = ?, error = ?,"
+            "update records set status = ?, said_done = ?, error = ?,"
             " instruction = ?, closing = ?, finished = ? where id = ?",
             [
                 record.status,
-                kind and str(kind),
-                fault and str(fault),
                 record.said_done,
                 record.error,
                 thoughts.instruction_to_json(record.instruction),
@@ -193,6 +190,12 @@ class Store(DatabaseFile):
                 record.id,
             ],
         )
+
+    def judge(self, records: Iterable[Record]) -> None:
+        """Judge records anew: how they failed and why, as is known today."""
+        with self.writing() as database:
+            for record in records:
+                judge(database, record)
 
     def forget(self, database: Database, record_ids: Iterable[str]) -> None:
         """Delete records with their steps and frames, inside the transaction of `writing`."""
@@ -256,6 +259,11 @@ class Store(DatabaseFile):
             "select skill, seconds from steps where record = ? order by number", [record_id]
         )
         return [(Decision(parse_skill(row["skill"])), row["seconds"]) for row in rows]
+
+    def steps_done(self, record_id: str) -> int:
+        """Return how many steps of a record are committed."""
+        [row] = self.query("select count(*) as steps from steps where record = ?", [record_id])
+        return int(row["steps"])
 
     def record(self, record_id: str) -> Record:
         """Return a whole record, in progress ones with the status they would end in."""

@@ -79,3 +79,28 @@ def lamps_found_lit(database: Database) -> None:
         "update records set fault = null where task_type = 'look_at_obj_in_light'"
         " and status in ('failure', 'truncated')"
     )
+
+
+@migration
+def why_failures_failed(database: Database) -> None:
+    """Keep the sentence that says why, and what was taken for what was meant."""
+    database.execute("alter table records add column reason text")
+    database.execute("alter table records add column taken text")
+    database.execute("create index records_finished on records(finished)")
+
+
+@migration
+def tags_notes_and_own_words(database: Database) -> None:
+    """Keep what people note about episodes, and the episodes they word themselves."""
+    database.execute(
+        "create table tags (episode_digest text not null, tag text not null, created text not null,"
+        " primary key (episode_digest, tag))"
+    )
+    database.execute(
+        "create table notes (episode_digest text primary key, text text not null,"
+        " changed text not null)"
+    )
+    database.execute(
+        "create table own_episodes (id text primary key, episode_digest text not null"
+        " references episodes(digest), created text not null)"
+    )

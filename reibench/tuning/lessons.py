@@ -6,7 +6,6 @@ from random import Random
 
 from reibench.dataset.levels import derive
 from reibench.dataset.realise.compose import CannotRealise, Realiser
-from reibench.dataset.realise.tasks import tasks
 from reibench.dataset.seeds import Seed
 from reibench.dialogue import EXPLICIT_ALONE, Dialogue, Utterance, Vagueness
 from reibench.episode import Episode, Goal, Task
@@ -19,6 +18,7 @@ from reibench.rollout import Rollout
 from reibench.skill import DONE, PICKABLE, SLICEABLE, Skill, Verb
 from reibench.tuning.phrasing import SEVERAL, Manner, aside, dressed, named, request
 from reibench.tuning.teacher import Teacher, Wish
+from reibench.tuning.wishes import wishes
 from reibench.worlds import World
 
 ALONE = 0.6
@@ -65,7 +65,7 @@ def lessons(rooms: Sequence[Room], worlds: Sequence[World], seed: int) -> Iterat
         seed: decides.
     """
     realiser = Realiser()
-    for number, found in enumerate(tasks(rooms, seed, lambda task: True)):
+    for number, found in enumerate(wishes(rooms, seed)):
         choose = Random(f"lesson/{seed}/{number}")
         found = _maybe_sliced(found, choose)
         world = worlds[number % len(worlds)]
@@ -80,7 +80,7 @@ def lessons(rooms: Sequence[Room], worlds: Sequence[World], seed: int) -> Iterat
 def asked_for(rooms: Sequence[Room], seed: int) -> Iterator[tuple[Episode, Instruction]]:
     """Yield tasks as lessons ask for them, whether or not the teacher can carry them out."""
     realiser = Realiser()
-    for number, found in enumerate(tasks(rooms, seed, lambda task: True)):
+    for number, found in enumerate(wishes(rooms, seed)):
         choose = Random(f"lesson/{seed}/{number}")
         found = _maybe_sliced(found, choose)
         _, said = _asked(found, realiser, choose)

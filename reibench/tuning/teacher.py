@@ -26,6 +26,7 @@ ASIDE = ("CounterTop", "DiningTable", "SideTable", "CoffeeTable", "Desk", "Dress
 """Where to leave what is in the hand and not wanted."""
 _NAMES = {in_words(name): name for name in FINDABLE} | {name.lower(): name for name in FINDABLE}
 _HOLDER = re.compile(r"(?:is in|because it is in) (?:the )?(?P<name>[A-Za-z ]+?)(?:, which|$)")
+_SHUT = re.compile(r"^the (?P<name>[A-Za-z ]+) is closed$")
 _HELD = re.compile(r"(?:already holding|currently holding) (?:the )?(?P<name>[A-Za-z ]+)$")
 
 
@@ -131,8 +132,9 @@ class Teacher:
             event = yield Skill(Verb.PUT_DOWN, name)
             if event.success:
                 return True
-            if event.message.endswith("is closed"):
-                yield Skill(Verb.OPEN, found)
+            shut = _named(_SHUT, event.message)
+            if shut in OPENABLE:  # what was gone to, or what that is in: a plate in a cabinet
+                yield Skill(Verb.OPEN, shut)
                 continue
             # under the official rules what could not be put down lies on the floor
             lost = "not holding any" in event.message or event.message == "put down failed"

@@ -4,13 +4,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
+from reibench.explanation import explain
 from reibench.goals import Condition
 from reibench.rollout import Record, Status, Step
-from reibench.skill import Verb
-from reibench.verdict import ErrorKind, error_kind, omitted
+from reibench.verdict import error_kind
 from reibench.view.icons import mark
 from reibench.view.markup import classes, element, text
-from reibench.view.words import a, name, sentence
+from reibench.view.words import sentence
 from reibench.worlds import Event
 
 Tone = Literal["good", "bad", "warn", "plain"]
@@ -64,65 +64,15 @@ def verdict(record: Record, *, budget: int) -> Verdict:
     """Return how `record` ended; `budget` is how many steps it could have taken."""
     taken = len(record.steps)
     if record.status == "success":
-        return Verdict(f"Succeeded in {taken} of {budget} steps", _success(record), "good")
+        return Verdict(f"Succeeded in {taken} of {budget} steps", explain(record), "good")
     if record.status == "error":
         broken = "stopped" in record.error or "left before" in record.error
         title = f"Stopped after {taken} steps" if broken else "Something broke"
         return Verdict(
             title, sentence(record.error or "no reason was recorded"), "plain" if broken else "warn"
         )
-    kind = error_kind(record)
-    spent = f"All {budget} steps are used. " if record.status == "truncated" else ""
-    if kind is ErrorKind.OMISSION:
-        return Verdict("Failed: object omission", spent + _omission(record), "bad")
-    return Verdict("Failed: execution error", spent + _execution(record), "bad")
-
-
-def _success(record: Record) -> str:
-    goals = record.steps[-1].event.goals if record.steps else ()
-    return sentence(goals[-1].text) if goals else "The instruction is carried out."
-
-
-def _omission(record: Record) -> str:
-    missing = omitted(record)
-    goal = record.episode.task.goal
-    lamp = [each for each in missing if each == goal.destination]
-    things = [each for each in missing if each not in lamp]
-    parts = []
-    taken = _first_taken(record)
-    if taken and things and taken[0] not in things:
-        parts.append(f"{_capital(a(taken[0]))} was picked up at step {taken[1]}.")
-    if things:
-        parts.append(f"No {' and no '.join(name(each) for each in things)} was ever picked up.")
-    if lamp:
-        parts.append(f"No {name(lamp[0])} was ever turned on.")
-    return " ".join(parts)
-
-
-def _first_taken(record: Record) -> tuple[str, int] | None:
-    for step in record.steps:
-        if step.event.success and step.decision.skill.verb is Verb.PICK_UP:
-            return step.decision.skill.object, step.number
-    return None
-
-
-def _execution(record: Record) -> str:
-    last = record.steps[-1].event.goals if record.steps else ()
-    for goal in last:
-        if goal.holds:
-            continue
-        held = any(
-            each.text == goal.text and each.holds
-            for step in record.steps
-            for each in step.event.goals
-        )
-        ending = "came true, but not for good" if held else "never came true"
-        return f"Every object was identified, but “{goal.text}” {ending}."
-    return "Every object was identified, but the goal does not hold."
-
-
-def _capital(words: str) -> str:
-    return words[:1].upper() + words[1:]
+    title = f"Failed: {str(error_kind(record)).replace('-', ' ')}"
+    return Verdict(title, explain(record), "bad")
 
 
 def verdict_box(found: Verdict, *, wide: bool = False) -> str:
@@ -136,7 +86,7 @@ def verdict_box(found: Verdict, *, wide: bool = False) -> str:
 def person_verdict(status: Status, record: Record, budget: int) -> Verdict:
     """Return how a person's own episode ended, in words addressed to them."""
     if status == "success":
-        return Verdict("Done: the instruction is carried out.", _success(record), "good")
+        return Verdict("Done: the instruction is carried out.", explain(record), "good")
     found = verdict(record, budget=budget)
     if status == "truncated":
         return Verdict(f"All {budget} steps are used.", found.sentence, "bad")

@@ -4,9 +4,12 @@ The layout depends only on the scene it was made from; `follow` then moves only 
 """
 
 import math
-from collections.abc import Iterable
+import threading
+from collections import OrderedDict
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from typing import TypeAlias
 
 from reibench.scene import Scene, SceneObject
 from reibench.view.containment import container
@@ -111,14 +114,46 @@ def follow(layout: Layout, scene: Scene) -> Layout:
     return _carried(Layout(canvas, ordered, placed), scene, shown, kept)
 
 
-def arrange(scenes: Iterable[Scene], size: Size) -> Layout:
-    """Return the layout of the last of `scenes`, followed from the first."""
-    layout = None
-    for scene in scenes:
-        layout = lay_out(scene, size) if layout is None else follow(layout, scene)
-    if layout is None:
+def arrange(scenes: Sequence[Scene], size: Size) -> Layout:
+    """Return the layout of the last of `scenes`, followed from the first.
+
+    What was arranged lately is known by the very scenes, so that a further step costs one step.
+    """
+    if not scenes:
         raise ValueError("a layout needs at least one scene")
+    key = (size, *map(id, scenes))
+    layout = _arranged.find(key)
+    if layout is None:
+        before = arrange(scenes[:-1], size) if len(scenes) > 1 else None
+        layout = follow(before, scenes[-1]) if before else lay_out(scenes[-1], size)
+        _arranged.keep(key, tuple(scenes), layout)
     return layout
+
+
+class _Arranged:
+    """Layouts by the scenes they came of, which are kept too: their ids must stay theirs."""
+
+    def __init__(self, most: int) -> None:
+        self._most = most
+        self._known: OrderedDict[_Key, tuple[tuple[Scene, ...], Layout]] = OrderedDict()
+        self._lock = threading.Lock()
+
+    def find(self, key: "_Key") -> Layout | None:
+        with self._lock:
+            found = self._known.get(key)
+            if found:
+                self._known.move_to_end(key)
+        return found[1] if found else None
+
+    def keep(self, key: "_Key", scenes: tuple[Scene, ...], layout: Layout) -> None:
+        with self._lock:
+            self._known[key] = (scenes, layout)
+            while len(self._known) > self._most:
+                self._known.popitem(last=False)
+
+
+_Key: TypeAlias = tuple[object, ...]
+_arranged = _Arranged(most=512)
 
 
 def _spot(disc: Disc, pieces: int) -> Spot:

@@ -9,7 +9,7 @@ from reibench.dataset.forms import names
 from reibench.dataset.lexicon import expressions
 from reibench.episode import TaskType
 from reibench.methods.restating import clear
-from reibench.skill import DONE, PICKABLE, parse_skill
+from reibench.skill import DONE, PICKABLE, RECEPTACLES, parse_skill
 from reibench.tuning.grounds import made_up
 from reibench.tuning.held_out import held_out_episodes
 from reibench.tuning.lessons import lessons
@@ -19,6 +19,7 @@ from reibench.tuning.restatements import (
     taught_lexicon,
     untaught_lexicon,
 )
+from reibench.tuning.wishes import wishes
 from reibench.worlds.embedded import embedded_world
 from reibench.worlds.rules import RULES
 
@@ -53,6 +54,24 @@ def request(lesson):
 def test_the_same_seed_gives_the_same_lessons(rooms, taught):
     assert made_lessons(rooms, number=40) == taught[:40]
     assert made_lessons(rooms, seed=2, number=40) != taught[:40]
+
+
+def test_every_place_that_the_skills_know_and_rooms_have_is_asked_for(rooms):
+    asked = {seed.task.goal.destination for seed in islice(wishes(rooms, 1), 1500)}
+    there = {thing.type for room in rooms for thing in room.objects}
+    assert set(RECEPTACLES) & there <= asked
+    assert {"Sink", "Bathtub", "Microwave", "Safe"} <= asked
+
+
+def test_everything_that_can_be_picked_up_is_asked_for(rooms):
+    asked = {seed.task.goal.object for seed in islice(wishes(rooms, 1), 1500)}
+    assert set(PICKABLE) & {thing.type for room in rooms for thing in room.objects} <= asked
+
+
+def test_things_are_put_in_or_on_every_kind_of_thing_that_holds_some(rooms):
+    seeds = [s for s in islice(wishes(rooms, 1), 1500) if s.task.goal.movable_receptacle]
+    holders = {seed.task.goal.movable_receptacle for seed in seeds}
+    assert holders == {"Bowl", "Box", "Cup", "Mug", "Pan", "Plate", "Pot"}
 
 
 def test_every_step_taught_is_a_skill_and_every_lesson_ends_with_done(taught):

@@ -54,7 +54,9 @@ def test_taking_the_wrong_thing_is_named_as_such(episode, click):
     rollout.finish()
     found = verdict(rollout.record("r", "person"), budget=30)
     assert found.title == "Failed: object omission"
-    assert found.sentence == ("An apple was picked up at step 2. No potato was ever picked up.")
+    said = episode.dialogue.instruction.expressions
+    meant = next(one.text for one in said if one.referent == "Potato")
+    assert found.sentence == f"“{meant}” was taken for an apple at step 1; it means the potato."
 
 
 def test_finding_everything_and_still_failing_names_what_never_came_true(episode, click, solution):
@@ -70,7 +72,8 @@ def test_a_used_up_budget_is_said_in_a_sentence(episode, click):
     rollout = click(episode, "find an apple", max_steps=1)
     record = rollout.record("r", "person")
     assert record.status == "truncated"
-    assert verdict(record, budget=1).sentence.startswith("All 1 steps are used.")
+    assert "none was ever picked up" in verdict(record, budget=1).sentence
+    assert person_verdict("truncated", record, 1).title == "All 1 steps are used."
 
 
 def test_a_stopped_run_is_no_failure(episode, click):
