@@ -19,17 +19,21 @@ from reibench.commands.options import add_world, default_world
 from reibench.dataset.files import shipped_episodes
 from reibench.errors import ReibenchError
 from reibench.pages import demo
+from reibench.pages.cases import CasePages
 from reibench.pages.head import HEAD, head
 from reibench.pages.listening import listen
 from reibench.pages.wiring import MOUNTED
 from reibench.run import RunSpec
 from reibench.sittings import Sittings
 from reibench.store import Store
+from reibench.view.site import LINKS
 from reibench.worlds import Camera
 from reibench.worlds.naming import check_world
 from study import admin as study_admin
 from study import pages as study_pages
+from study.access import is_researcher
 from study.enrolment import Enrolment
+from study.people import no_trials
 
 WEB = Path(__file__).parent / "assets" / "web"
 
@@ -56,10 +60,12 @@ def make_app(database: str, model: str = "", world: str = "embedded") -> FastAPI
 
     shown = {"favicon_path": WEB / "favicon.svg", **MOUNTED}
     enrolment = Enrolment(store)
+    cases = CasePages(store, is_researcher, lambda: no_trials(store))
+    app.include_router(cases.router())
     app.mount("/admin", study_admin.build(enrolment))
     taking_part = study_pages.build(enrolment)
     gr.mount_gradio_app(app, taking_part, path="/study", head=head("study", "study"), **MOUNTED)
-    page = demo.build(sittings, model=model)
+    page = demo.build(sittings, links=LINKS, model=model)
     return gr.mount_gradio_app(app, page, path="/", head=HEAD, **shown)
 
 

@@ -1,9 +1,6 @@
 """The researchers' page: a server of its own, closed to whoever has not the password."""
 
-import hashlib
-import hmac
 import io
-import os
 import secrets
 import zipfile
 from collections.abc import Callable
@@ -17,14 +14,12 @@ from fastapi.security import HTTPBasic, HTTPBasicCredentials
 
 from reibench.errors import ReibenchError, UnknownName
 from study import admin_view
+from study.access import COOKIE, LEAST, PASSWORD, password, signed
 from study.enrolment import RUN_STATES, Enrolment
 from study.exporting import export
 from study.people import Judgement, judge, people_of, trials_of
 from study.status import status_of
 
-PASSWORD = "REIBENCH_ADMIN_PASSWORD"
-"""Environment variable; without it the page is closed to everybody."""
-LEAST = 8
 Guard = Callable[..., None]
 
 
@@ -48,6 +43,12 @@ def _serve_studies(app: FastAPI, enrolment: Enrolment) -> None:
     @app.get("/")
     def studies() -> HTMLResponse:
         return HTMLResponse(admin_view.studies(enrolment.studies()))
+
+    @app.get("/-/cases")
+    def cases() -> Response:
+        shown = RedirectResponse("/cases", 303)
+        shown.set_cookie(COOKIE, signed(COOKIE), httponly=True, samesite="strict")
+        return shown
 
     @app.get("/{name}")
     def study(name: str) -> HTMLResponse:
@@ -128,15 +129,15 @@ def _admitted(
     credentials: Annotated[HTTPBasicCredentials | None, Depends(HTTPBasic(auto_error=False))],
 ) -> None:
     """Let in who knows the password of the environment; there is none by default."""
-    password = os.environ.get(PASSWORD, "")
-    if len(password) < LEAST:
+    kept = password()
+    if not kept:
         raise HTTPException(
             403,
             f"The researchers' page is closed: set {PASSWORD} to a password of {LEAST} characters"
             " or more, and start the app again.",
         )
     given = credentials.password if credentials else ""
-    if not secrets.compare_digest(given.encode(), password.encode()):
+    if not secrets.compare_digest(given.encode(), kept.encode()):
         raise HTTPException(
             401, "The password is not right.", {"WWW-Authenticate": 'Basic realm="researchers"'}
         )
@@ -144,8 +145,7 @@ def _admitted(
 
 def _token(name: str) -> str:
     """Return what proves that a form came from this page: browsers send the password anywhere."""
-    key = os.environ.get(PASSWORD, "").encode()
-    return hmac.new(key, name.encode(), hashlib.sha256).hexdigest()
+    return signed(name)
 
 
 def _ours(name: str, token: str) -> None:

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from reibench.errors import ReibenchError, unknown
+from reibench.store import Store
 from study.enrolment import Enrolment, log
 
 Judgement = Literal["accept", "reject", "restore"]
@@ -91,3 +92,12 @@ def trials_of(enrolment: Enrolment, name: str, code: str) -> list[dict[str, Any]
         " where p.study = ? and p.code = ? order by a.kind, a.place",
         [name, code],
     )
+
+
+def no_trials(store: Store) -> set[str]:
+    """Return the records that say nothing of people: practice, made up people, rejected ones."""
+    rows = store.query(
+        "select a.record from assignments as a join participants as p on p.code = a.participant"
+        " where a.record not null and (p.simulated or a.kind = 'practice' or p.state = 'rejected')"
+    )
+    return {row["record"] for row in rows}

@@ -11,7 +11,7 @@ ROOT = Path(__file__).parents[1]
 TRAINING = "reibench/tuning/training.py"
 ONLY_IN = {
     "gradio": ("app.py", "reibench/pages/"),
-    "fastapi": ("app.py",),
+    "fastapi": ("app.py", "reibench/pages/"),
     "ai2thor": ("reibench/worlds/ai2thor/client.py",),
     "torch": ("reibench/backends/transformers/", "reibench/bench/published.py", TRAINING),
     "transformers": ("reibench/backends/transformers/", "reibench/bench/published.py"),

@@ -1,4 +1,4 @@
-"""Two runs of one episode, aligned step by step."""
+"""Runs of one episode, aligned step by step."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -68,3 +68,36 @@ def _costs(left: Sequence[Skill], right: Sequence[Skill]) -> list[list[float]]:
                 ways.append(_mismatch(left[one], right[other]) + costs[one + 1][other + 1])
             costs[one][other] = min(ways, default=0.0)
     return costs
+
+
+Places = tuple[int | None, ...]
+"""Which step of each run stands in a row, by index; None where a run has no counterpart."""
+
+
+def align_many(runs: Sequence[Sequence[Skill]]) -> tuple[Places, ...]:
+    """Return rows over any number of runs, each run after the first aligned to those before it.
+
+    Two runs give the rows of `align`.
+    """
+    rows: list[Places] = [(index,) for index in range(len(runs[0]))] if runs else []
+    for number, run in enumerate(runs[1:], start=1):
+        shown = [_skill_of(row, runs) for row in rows]
+        merged: list[Places] = []
+        for row in align(shown, run):
+            before = rows[row.left] if row.left is not None else (None,) * number
+            merged.append((*before, row.right))
+        rows = merged
+    return tuple(rows)
+
+
+def _skill_of(row: Places, runs: Sequence[Sequence[Skill]]) -> Skill:
+    """Return what a row stands for: the last run's step in it, which comes nearest to the next."""
+    return next(
+        runs[run][index] for run, index in reversed(list(enumerate(row))) if index is not None
+    )
+
+
+def divides(row: Places, runs: Sequence[Sequence[Skill]]) -> bool:
+    """Whether the runs differ in a row: another skill, or one without a counterpart."""
+    skills = {runs[run][index] for run, index in enumerate(row) if index is not None}
+    return len(skills) > 1 or None in row

@@ -4,7 +4,9 @@ from html import escape
 from typing import TypeAlias
 
 Value: TypeAlias = str | float | int | bool | None
-_VOID = frozenset(("br", "circle", "ellipse", "img", "input", "meta", "path", "rect", "use"))
+_VOID = frozenset(
+    ("br", "circle", "ellipse", "img", "input", "link", "meta", "path", "rect", "use")
+)
 _SVG_VOID = frozenset(("circle", "ellipse", "path", "rect", "use"))
 
 

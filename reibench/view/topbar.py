@@ -8,6 +8,7 @@ from reibench.dialogue import CONTEXTS, REFERENCES, Vagueness
 from reibench.episode import Episode
 from reibench.scene import Scene
 from reibench.view.catalogue import Catalogue
+from reibench.view.logo import LOGO
 from reibench.view.markup import classes, element, text
 
 Actor = Literal["me", "model", "tocc", "side"]
@@ -20,12 +21,6 @@ ACTOR_NAMES: dict[Actor, str] = {
 }
 """`{method}` is the one a visitor chose."""
 
-_LOGO = (
-    '<svg viewBox="0 0 32 32" aria-hidden="true"><rect width="32" height="32" rx="8"'
-    ' fill="var(--accent)"/><path d="M9 11h14M9 16h9M9 21h5" stroke="var(--accent-ink)"'
-    ' stroke-width="2.600" stroke-linecap="round"/><circle cx="22" cy="20" r="4" fill="none"'
-    ' stroke="var(--accent-ink)" stroke-width="2.400"/></svg>'
-)
 _SHUFFLE = (
     '<svg width="16" height="16" viewBox="0 0 16 16" fill="none" stroke="currentColor"'
     ' stroke-width="1.600" stroke-linecap="round" stroke-linejoin="round" aria-hidden="true">'
@@ -81,7 +76,7 @@ def topbar(
 
 
 def _pages(model: ModelStatus, links: Sequence[tuple[str, str]]) -> str:
-    brand = element("a", _LOGO, "REI-Bench", class_="brand", href="/")
+    brand = element("a", LOGO, "REI-Bench", class_="brand", href="/")
     tabs = [
         element("a", text(title), class_="tab", href=href, aria_current="page" if not at else None)
         for at, (title, href) in enumerate(links)

@@ -1,0 +1,201 @@
+"""All finished records of a database as one table in memory, and the cases they make up.
+
+A case is an episode with a run without a method, a run with one, of the same planner and model, and
+a person's; any of them may be missing. Filters work on this table, so that they stay quick with
+tens of thousands of records; it is brought up to date when the database has changed.
+"""
+
+import json
+import threading
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import pandas as pd
+
+from reibench.cases.titles import told
+from reibench.store import Store
+from reibench.tally import note_faults
+
+PERSON = "person"
+LANES = ("person", "plain", "told")
+"""Whose runs a case sets beside each other, in the order of the pages."""
+KINDS = ("helps", "people", "hurts", "same", "single")
+"""helps: failed without the method, carried out with it. hurts: the other way round. people: a
+person did it, no planner here did. same: both came out alike. single: there is nothing to compare.
+"""
+JUDGED_AT_ONCE = 500
+"""How many records of older versions are judged anew before a page is shown."""
+_SETTING = ("planner", "model", "rules")
+_EPISODE = ("episode", "episode_digest", "task", "task_type", "level", "room")
+_RUN = ("id", "status", "error_kind", "fault", "reason", "taken", "steps", "origin")
+_RECORDS = """
+select records.id, origin, records.actor, episode, episode_digest, task, task_type, level,
+    room, status, error_kind, fault, reason, taken, steps, finished, planner, method, model,
+    records.rules
+from records join runs on runs.id = run where status not null and finished >= ?
+order by finished, records.rowid
+"""
+Hidden = Callable[[], Collection[str]]
+
+
+@dataclass(frozen=True)
+class Table:
+    """What the database held at one moment."""
+
+    records: pd.DataFrame
+    episodes: pd.DataFrame
+    """Of each episode's digest its `title` and what is `meant`, the goal's object."""
+    words: Mapping[str, str]
+    """What is said in each episode, by its digest."""
+    hidden: Collection[str] = ()
+    """Ids of records that say nothing of people, e.g. of practice tasks."""
+
+    @cached_property
+    def cases(self) -> pd.DataFrame:
+        """One row a case, most telling first.
+
+        It has the episode's columns, `title` and `meant`, `planner`, `model`, `method`, `rules`,
+        `kind`, and for each of `LANES` the record's columns, e.g. `plain_status`.
+        """
+        real = self.records[~self.records["id"].isin(list(self.hidden))]
+        return cases_of(real, self.episodes)
+
+    @cached_property
+    def public(self) -> pd.DataFrame:
+        """The cases without what participants of studies did."""
+        return cases_of(self.records[self.records["origin"] != "study"], self.episodes)
+
+
+class CaseTable:
+    """The table of one database, made when first needed and kept up to date."""
+
+    def __init__(self, store: Store, hidden: Hidden = tuple) -> None:
+        """Read from `store`; `hidden` tells the records that say nothing of people."""
+        self._store = store
+        self._hidden = hidden
+        self._lock = threading.Lock()
+        self._known: tuple[int, str] = (0, "")
+        self._table = _empty()
+
+    def now(self) -> Table:
+        """Return the table as the database is now."""
+        with self._lock:
+            [row] = self._store.query(
+                "select count(*) as records, coalesce(max(finished), '') as latest from records"
+                " where status not null and finished not null"
+            )
+            known = (row["records"], row["latest"])
+            if known != self._known:
+                self._table = self._read(known[0])
+                self._known = known
+            return self._table
+
+    def forget(self) -> None:
+        """Read everything anew next time."""
+        with self._lock:
+            self._known, self._table = (0, ""), _empty()
+
+    def _read(self, number: int) -> Table:
+        """Read what is new; everything, if something is gone."""
+        note_faults(self._store, JUDGED_AT_ONCE)
+        before = self._table.records
+        records = self._since(self._known[1])
+        if len(before):
+            stays = before[~before["id"].isin(records["id"])]
+            records = pd.concat([stays, records], ignore_index=True)
+        if len(records) != number:
+            records = self._since("")
+        return Table(records, *self._episodes(set(records["episode_digest"])), self._hidden())
+
+    def _since(self, finished: str) -> pd.DataFrame:
+        rows = self._store.query(_RECORDS, [finished])
+        return pd.DataFrame(rows, columns=_columns())
+
+    def _episodes(self, wanted: set[str]) -> tuple[pd.DataFrame, Mapping[str, str]]:
+        """Return titles and words of episodes, reading only those that are new."""
+        known, words = self._table.episodes, dict(self._table.words)
+        new = wanted - words.keys()
+        rows = [
+            (row["digest"], *told(json.loads(row["json"])))
+            for row in (self._store.query("select digest, json from episodes") if new else ())
+            if row["digest"] in new
+        ]
+        words |= {digest: said for digest, _, _, said in rows}
+        added = pd.DataFrame([row[:3] for row in rows], columns=_TITLES)
+        return (pd.concat([known, added], ignore_index=True) if rows else known), words
+
+
+_TITLES = ["episode_digest", "title", "meant"]
+
+
+def _empty() -> Table:
+    return Table(pd.DataFrame(columns=_columns()), pd.DataFrame(columns=_TITLES), {})
+
+
+def _columns() -> list[str]:
+    return [
+        "id", "origin", "actor", *_EPISODE, "status", "error_kind", "fault", "reason",
+        "taken", "steps", "finished", "planner", "method", "model", "rules",
+    ]  # fmt: skip
+
+
+def cases_of(records: pd.DataFrame, titles: pd.DataFrame) -> pd.DataFrame:
+    """Return the cases that records make up, most telling first."""
+    if records.empty:
+        lanes = [f"{lane}_{name}" for lane in LANES for name in _RUN]
+        columns = [*_EPISODE, *_SETTING, "method", *lanes, "title", "meant", "kind", "order"]
+        return pd.DataFrame(columns=columns)
+    key = ["episode_digest", *_SETTING]
+    planners = records[records["actor"] != PERSON]
+    latest = planners.drop_duplicates([*key, "method"], keep="last")
+    plain = _lane(latest[latest["method"] == "none"], "plain", key)
+    told = _lane(latest[latest["method"] != "none"], "told", [*key, "method"])
+    people = records[records["actor"] == PERSON]
+    # a study's trial says more of people than somebody's try on the demo page
+    people = people.sort_values("origin", key=lambda o: o == "study", kind="stable")
+    people = people.drop_duplicates(["episode_digest", "rules"], keep="last")
+    person = _lane(people, "person", ["episode_digest", "rules"])
+    pairs = told.merge(plain, on=key, how="outer")
+    cases = pairs.merge(person, on=["episode_digest", "rules"], how="outer")
+    episodes = records.drop_duplicates("episode_digest", keep="last")[list(_EPISODE)]
+    cases = cases.merge(episodes, on="episode_digest", how="left")
+    cases = cases.merge(titles, on="episode_digest", how="left")
+    for name in ("planner", "model", "method"):
+        cases[name] = cases[name].fillna("")
+    return _sorted(cases)
+
+
+def _lane(records: pd.DataFrame, lane: str, key: list[str]) -> pd.DataFrame:
+    renamed = {name: f"{lane}_{name}" for name in _RUN}
+    return records[[*key, *_RUN]].rename(columns=renamed)
+
+
+def _sorted(cases: pd.DataFrame) -> pd.DataFrame:
+    """Add what kind each case is, and put the most telling first."""
+    there = {lane: cases[f"{lane}_id"].notna() for lane in LANES}
+    solved = {lane: cases[f"{lane}_status"] == "success" for lane in LANES}
+    both = there["plain"] & there["told"]
+    planner_solved = solved["plain"] | solved["told"]
+    kind = pd.Series("single", index=cases.index)
+    kind[both] = "same"
+    kind[(there["plain"] | there["told"]) & solved["person"] & ~planner_solved] = "people"
+    kind[both & ~solved["plain"] & solved["told"]] = "helps"
+    kind[both & solved["plain"] & ~solved["told"]] = "hurts"
+    failed = (there["plain"] & ~solved["plain"]) | (there["told"] & ~solved["told"])
+    rank = kind.map({name: place for place, name in enumerate(KINDS)}) * 4
+    rank += (~failed).astype(int) * 2 + (~solved["person"]).astype(int)
+    ordered = cases.assign(kind=kind, order=rank)
+    return ordered.sort_values(
+        ["order", "level", "episode", "method"],
+        ignore_index=True,
+        kind="stable",
+        key=_vaguest_first,
+    )
+
+
+def _vaguest_first(values: pd.Series) -> pd.Series:
+    if values.name != "level":
+        return values
+    order = {"implicit": 0, "mixed": 1, "explicit": 2}
+    return values.map(lambda level: order.get(str(level).partition("-")[0], 3))
