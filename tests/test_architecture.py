@@ -27,6 +27,7 @@ ONLY_IN = {
     "sqlite_utils": ("reibench/store/",),
     "matplotlib": ("reibench/report/figures.py",),
     "ray": ("reibench/evaluation/on_ray.py",),
+    "typst": ("reibench/cases/exporting/figure.py",),
 }
 LEVELS = {
     "errors": 0, "registry": 0,
@@ -46,6 +47,7 @@ MODULES = sorted((ROOT / "reibench").rglob("*.py"))
 HEAVY = (
     "torch", "ai2thor", "gradio", "fastapi", "xllamacpp", "transformers", "llguidance", "openai",
     "unified_planning", "up_fast_downward", "matplotlib", "ray", "guidance", "peft", "gguf",
+    "typst",
 )  # fmt: skip
 CATCHING = {"run.py"}
 """Where everything may be caught: an episode that breaks is recorded as an error."""

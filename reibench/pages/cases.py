@@ -4,6 +4,8 @@ Nothing here is Gradio's: a page that is only looked at needs no events. The scr
 fetches the same addresses and puts the part that changed in its place.
 """
 
+import json
+import re
 from collections.abc import Callable, Mapping
 from typing import Annotated
 from urllib.parse import urlencode, urlparse
@@ -13,6 +15,9 @@ from fastapi import APIRouter, Form, HTTPException, Request
 from fastapi.responses import HTMLResponse, RedirectResponse, Response
 
 from reibench.cases.case import Case, Cases
+from reibench.cases.exporting.data import case_data, cases_csv
+from reibench.cases.exporting.figure import figure
+from reibench.cases.exporting.offline import offline_page
 from reibench.cases.filtering import CaseFilter, Found, Kept, find
 from reibench.cases.keeping import Keeping
 from reibench.cases.table import CaseTable, Hidden, Table
@@ -28,6 +33,13 @@ from reibench.view.site import document
 
 HEAD = head("cases", "cases")
 MOST_LISTED = 2000
+FILES: Mapping[str, tuple[str, Callable[[Case, int, int], str | bytes]]] = {
+    "html": ("text/html", lambda case, row, lane: offline_page(case, row=row, lane=lane)),
+    "json": ("application/json", lambda case, _, __: json.dumps(case_data(case), indent=1)),
+    "svg": ("image/svg+xml", lambda case, _, __: figure(case, "svg")),
+    "pdf": ("application/pdf", lambda case, _, __: figure(case, "pdf")),
+}
+"""How a case can be had, with the media type."""
 Researcher = Callable[[Request], bool]
 
 
@@ -51,6 +63,8 @@ class CasePages:
         """Return the pages' addresses."""
         router = APIRouter()
         router.get("/cases")(self.cases)
+        router.get("/cases/list.csv")(self.table_file)
+        router.get("/cases/case.{form}")(self.case_file)
         router.post("/cases/keep")(self.keep)
         return router
 
@@ -108,6 +122,28 @@ class CasePages:
         path = urlparse(back)
         local = not path.scheme and not path.netloc and path.path == "/cases"
         return RedirectResponse(back if local else f"/cases?{urlencode({'runs': runs})}", 303)
+
+    def case_file(self, form: str, request: Request) -> Response:
+        """Return a case as a file."""
+        asked = dict(request.query_params)
+        if form not in FILES:
+            raise HTTPException(404, f"A case can be had as {', '.join(FILES)}.")
+        try:
+            case = self.opened(asked, researcher=self._researcher(request))
+        except ReibenchError as problem:
+            return self._trouble(str(problem), 404)
+        kind, make = FILES[form]
+        row, lane = _at(case, asked)
+        name = re.sub(r"[^\w.-]+", "-", f"{case.episode.id}.{form}")
+        headers = {"Content-Disposition": f'attachment; filename="{name}"'}
+        return Response(make(case, row, lane), media_type=kind, headers=headers)
+
+    def table_file(self, request: Request) -> Response:
+        """Return the cases that pass the filter as a CSV table."""
+        wanted = CaseFilter.read(dict(request.query_params))
+        found = self.found(wanted, researcher=self._researcher(request))
+        headers = {"Content-Disposition": 'attachment; filename="cases.csv"'}
+        return Response(cases_csv(found.cases), media_type="text/csv", headers=headers)
 
     # what the pages show
 

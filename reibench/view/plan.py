@@ -10,7 +10,6 @@ from reibench.view.plan_fronts import draw_fronts, group_fronts
 from reibench.view.plan_furniture import furniture
 from reibench.view.plan_geometry import WIDE, Size
 from reibench.view.plan_layout import Layout, lay_out
-from reibench.view.plan_parts import opaque_id
 from reibench.view.plan_things import draw_robot, draw_things
 from reibench.view.plan_trays import names, trays
 from reibench.view.plan_walls import draw_walls, room_shell
@@ -51,7 +50,7 @@ def floor_plan(
         hanging,
         high,
         sight,
-        draw_things(scene, layout),
+        draw_things(scene, layout, focus),
         robot,
         boxes,
     ]
@@ -66,7 +65,6 @@ def floor_plan(
         height=round(canvas.height),
         role="group",
         aria_label=label,
-        data_focus=" ".join(opaque_id(thing.id) for thing in scene.objects if thing.type in focus),
     )
 
 

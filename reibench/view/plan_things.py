@@ -1,10 +1,11 @@
 """Things and the robot on a floor plan: icons on discs, drawn to be recognised."""
 
 import math
+from collections.abc import Collection
 
 from reibench.scene import Scene, SceneObject
 from reibench.view.icons import icon
-from reibench.view.markup import element, number, text
+from reibench.view.markup import classes, element, number, text
 from reibench.view.plan_geometry import Canvas
 from reibench.view.plan_layout import Layout, Spot
 from reibench.view.plan_parts import badge, circle, hotspot, label, line, path
@@ -14,19 +15,22 @@ _WEDGE = 76.0
 """Degrees the robot sees at once, as drawn."""
 
 
-def draw_things(scene: Scene, layout: Layout) -> str:
-    """Return every loose thing, with lines to the true places of those that were pushed far."""
+def draw_things(scene: Scene, layout: Layout, focus: Collection[str] = ()) -> str:
+    """Return every loose thing, with lines to the true places of those that were pushed far.
+
+    Things whose type is in `focus` are marked.
+    """
     leaders, discs = [], []
     for key, spot in layout.spots.items():
         if spot.displaced:
             leaders.append(line(spot.true_x, spot.true_y, spot.x, spot.y, "leader"))
             leaders.append(circle(spot.true_x, spot.true_y, 1.8, "leaderdot"))
-        discs.append((bool(spot.carrier), _thing(scene.by_id[key], spot, scene)))
+        discs.append((bool(spot.carrier), _thing(scene.by_id[key], spot, scene, focus)))
     discs.sort(key=lambda pair: pair[0])
     return "".join(leaders) + "".join(drawn for _, drawn in discs)
 
 
-def _thing(thing: SceneObject, spot: Spot, scene: Scene) -> str:
+def _thing(thing: SceneObject, spot: Spot, scene: Scene, focus: Collection[str]) -> str:
     radius = spot.radius
     drawn = [circle(0, 0, radius + 1.5, "halo"), picture(thing, radius * 1.68)]
     size = 6.5 if radius < 16 else 7.5
@@ -37,7 +41,8 @@ def _thing(thing: SceneObject, spot: Spot, scene: Scene) -> str:
         drawn.append(label(radius * 0.75, radius * 0.8 + 3.2, str(spot.pieces), "count"))
     place = f"translate({number(spot.x)} {number(spot.y)})"
     more = f", {spot.pieces} pieces" if spot.pieces > 1 else ""
-    inner = hotspot(thing, scene, *drawn, kind="thing", more=more)
+    kind = classes("thing", spot=thing.type.removesuffix("Sliced") in focus)
+    inner = hotspot(thing, scene, *drawn, kind=kind, more=more)
     return inner.replace("<g ", f'<g transform="{place}" ', 1)
 
 

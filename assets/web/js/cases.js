@@ -52,7 +52,7 @@ async function showList(address, { keep = true } = {}) {
     $("#words").focus();
     $("#words").setSelectionRange(start, end);
   }
-  if (keep) history.pushState(null, "", address);
+  if (keep) keepAddress("pushState", address);
   markCurrent();
   say($("#count")?.textContent ?? "");
 }
@@ -62,7 +62,7 @@ async function showCase(address, { keep = true } = {}) {
   const markup = await part("case", address);
   if (markup === null) return;
   put("#case", markup);
-  if (keep) history.pushState(null, "", address);
+  if (keep) keepAddress("pushState", address);
   markCurrent();
   draw();
   say($("#case h1")?.textContent ?? "");
@@ -81,6 +81,10 @@ function markCurrent() {
 
 // ---- steps
 
+function keepAddress(how, where) {
+  if (!window.reiSteps) history[how](null, "", where); // a file on disk has no address to keep
+}
+
 function address() {
   const url = new URL(location.href);
   if (!view()?.dataset.runs) return url;
@@ -96,7 +100,7 @@ async function go(row, lane = number("lane")) {
   view().dataset.row = Math.max(-1, Math.min(row, number("rows") - 1));
   view().dataset.lane = Math.max(0, Math.min(lane, number("lanes") - 1));
   draw();
-  history.replaceState(null, "", address());
+  keepAddress("replaceState", address());
   const wanted = address();
   const markup = window.reiSteps ? window.reiSteps(number("row"), number("lane")) : await part("at", wanted);
   if (markup === null || wanted.toString() !== address().toString()) return;

@@ -215,7 +215,4 @@ onChange(() => {
   glide();
   applyZoom();
   rove();
-  for (const drawing of document.querySelectorAll(".plan[data-focus]"))
-    for (const id of (drawing.dataset.focus ?? "").split(" ").filter(Boolean))
-      drawing.querySelector(`[data-oid="${id}"]`)?.classList.add("spot");
 });
