@@ -20,6 +20,7 @@ from reibench.dataset.files import shipped_episodes
 from reibench.errors import ReibenchError
 from reibench.pages import demo
 from reibench.pages.cases import CasePages
+from reibench.pages.comparison import ComparisonPages
 from reibench.pages.head import HEAD, head
 from reibench.pages.listening import listen
 from reibench.pages.wiring import MOUNTED
@@ -62,6 +63,7 @@ def make_app(database: str, model: str = "", world: str = "embedded") -> FastAPI
     enrolment = Enrolment(store)
     cases = CasePages(store, is_researcher, lambda: no_trials(store))
     app.include_router(cases.router())
+    app.include_router(ComparisonPages(store, cases).router())
     app.mount("/admin", study_admin.build(enrolment))
     taking_part = study_pages.build(enrolment)
     gr.mount_gradio_app(app, taking_part, path="/study", head=head("study", "study"), **MOUNTED)

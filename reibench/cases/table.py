@@ -30,9 +30,9 @@ _SETTING = ("planner", "model", "rules")
 _EPISODE = ("episode", "episode_digest", "task", "task_type", "level", "room")
 _RUN = ("id", "status", "error_kind", "fault", "reason", "taken", "steps", "origin")
 _RECORDS = """
-select records.id, origin, records.actor, episode, episode_digest, task, task_type, level,
-    room, status, error_kind, fault, reason, taken, steps, finished, planner, method, model,
-    records.rules
+select records.id, run, origin, records.actor, episode, episode_digest, task, task_type, level,
+    room, status, said_done, error_kind, fault, reason, taken, steps, finished, planner, method,
+    model, records.rules
 from records join runs on runs.id = run where status not null and finished >= ?
 order by finished, records.rowid
 """
@@ -135,8 +135,8 @@ def _empty() -> Table:
 
 def _columns() -> list[str]:
     return [
-        "id", "origin", "actor", *_EPISODE, "status", "error_kind", "fault", "reason",
-        "taken", "steps", "finished", "planner", "method", "model", "rules",
+        "id", "run", "origin", "actor", *_EPISODE, "status", "said_done", "error_kind", "fault",
+        "reason", "taken", "steps", "finished", "planner", "method", "model", "rules",
     ]  # fmt: skip
 
 

@@ -57,7 +57,7 @@ class CasePages:
         self.table = CaseTable(store, hidden)
         self.keeping = Keeping(store)
         self._cases = Cases(store)
-        self._researcher = researcher
+        self.researcher = researcher
 
     def router(self) -> APIRouter:
         """Return the pages' addresses."""
@@ -73,7 +73,7 @@ class CasePages:
     def cases(self, request: Request) -> HTMLResponse:
         """Show cases, and one of them; of `part`, only that part of the page."""
         asked = dict(request.query_params)
-        researcher = self._researcher(request)
+        researcher = self.researcher(request)
         wanted = CaseFilter.read(asked)
         part = asked.get("part", "")
         try:
@@ -112,7 +112,7 @@ class CasePages:
         back: Annotated[str, Form()] = "",
     ) -> Response:
         """Keep tags and a note about the episode of these runs."""
-        if not self._researcher(request) or not _ours(request):
+        if not self.researcher(request) or not _ours(request):
             raise HTTPException(403, "Only researchers who are signed in here can keep notes.")
         try:
             case = self.opened({"runs": runs}, researcher=True)
@@ -129,7 +129,7 @@ class CasePages:
         if form not in FILES:
             raise HTTPException(404, f"A case can be had as {', '.join(FILES)}.")
         try:
-            case = self.opened(asked, researcher=self._researcher(request))
+            case = self.opened(asked, researcher=self.researcher(request))
         except ReibenchError as problem:
             return self._trouble(str(problem), 404)
         kind, make = FILES[form]
@@ -141,7 +141,7 @@ class CasePages:
     def table_file(self, request: Request) -> Response:
         """Return the cases that pass the filter as a CSV table."""
         wanted = CaseFilter.read(dict(request.query_params))
-        found = self.found(wanted, researcher=self._researcher(request))
+        found = self.found(wanted, researcher=self.researcher(request))
         headers = {"Content-Disposition": 'attachment; filename="cases.csv"'}
         return Response(cases_csv(found.cases), media_type="text/csv", headers=headers)
 
