@@ -14,15 +14,18 @@ from fastapi import FastAPI, HTTPException, Request
 from fastapi.responses import FileResponse, RedirectResponse
 from fastapi.staticfiles import StaticFiles
 
+from reibench import gallery
 from reibench.backends.opening import open_backend
 from reibench.commands.options import add_world, default_world
 from reibench.dataset.files import shipped_episodes
 from reibench.errors import ReibenchError
+from reibench.own_words import OwnEpisodes
 from reibench.pages import demo
 from reibench.pages.cases import CasePages
 from reibench.pages.comparison import ComparisonPages
 from reibench.pages.head import HEAD, head
 from reibench.pages.listening import listen
+from reibench.pages.own import OwnPages
 from reibench.pages.wiring import MOUNTED
 from reibench.run import RunSpec
 from reibench.sittings import Sittings
@@ -42,7 +45,10 @@ WEB = Path(__file__).parent / "assets" / "web"
 def make_app(database: str, model: str = "", world: str = "embedded") -> FastAPI:
     """Return the server over the database at this path; `model` overrules the shelf."""
     store = Store(Path(database))
-    sittings = Sittings(shipped_episodes(), store, open_backend, spec=RunSpec(world=world))
+    gallery.load(store)
+    own = OwnEpisodes(store)
+    spec = RunSpec(world=world)
+    sittings = Sittings(shipped_episodes(), store, open_backend, spec=spec, more=own.find)
     app = FastAPI(title="REI-Bench", docs_url=None, redoc_url=None, openapi_url=None)
     app.mount("/web", StaticFiles(directory=WEB), name="web")
 
@@ -64,6 +70,7 @@ def make_app(database: str, model: str = "", world: str = "embedded") -> FastAPI
     cases = CasePages(store, is_researcher, lambda: no_trials(store))
     app.include_router(cases.router())
     app.include_router(ComparisonPages(store, cases).router())
+    app.include_router(OwnPages(own).router())
     app.mount("/admin", study_admin.build(enrolment))
     taking_part = study_pages.build(enrolment)
     gr.mount_gradio_app(app, taking_part, path="/study", head=head("study", "study"), **MOUNTED)

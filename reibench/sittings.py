@@ -49,13 +49,15 @@ class Sittings:
         *,
         spec: RunSpec | None = None,
         origin: Origin = "demo",
+        more: Callable[[str], Episode | None] = lambda episode_id: None,
     ) -> None:
         """Serve `episodes`; `spec` says which rules, world and budget everyone plays with.
 
-        `origin` is what their records are kept as.
+        `origin` is what their records are kept as; `more` finds episodes that came since, by id.
         """
         self._origin: Origin = origin
         self.episodes: Mapping[str, Episode] = {each.id: each for each in episodes}
+        self._more = more
         self._store = store
         self._open_model = open_model
         spec = spec or RunSpec()
@@ -92,7 +94,7 @@ class Sittings:
         return self._show(entries[-1].id, visitor) if entries else None
 
     def find(self, sitting_id: str, visitor: str) -> Sitting:
-        """Return a sitting of this visitor's; raises UnknownName for another's."""
+        """Return a sitting of this visitor's or the gallery's; raises UnknownName for another's."""
         return self._show(sitting_id, visitor)
 
     def watched(self, visitor: str, episode_id: str) -> dict[str, Sitting]:
@@ -103,6 +105,11 @@ class Sittings:
             if entry.episode == episode_id and entry.actor != PERSON and entry.status is not None
         }
         return {actor: self._show(record_id, visitor) for actor, record_id in latest.items()}
+
+    def recorded(self, episode_id: str) -> dict[str, Sitting]:
+        """Return the gallery's runs of an episode by each planner, by label."""
+        entries = self._store.entries("origin = 'gallery' and episode = ?", [episode_id])
+        return {entry.actor: self._show(entry.id, "") for entry in entries}
 
     def step(
         self,
@@ -192,9 +199,14 @@ class Sittings:
 
     def episode(self, episode_id: str) -> Episode:
         """Return an episode; raises UnknownName."""
-        if episode_id not in self.episodes:
+        found = self.episodes.get(episode_id) or self._more(episode_id)
+        if found is None:
             raise unknown("episode", episode_id, self.episodes)
-        return self.episodes[episode_id]
+        return found
+
+    def knows(self, episode_id: str) -> bool:
+        """Whether there is an episode of that id."""
+        return episode_id in self.episodes or self._more(episode_id) is not None
 
     def _make(self, episode: Episode, spec: RunSpec) -> _Live:
         if spec.world == self._spec.world:
@@ -223,7 +235,9 @@ class Sittings:
 
     def _entry(self, sitting_id: str, visitor: str) -> Entry:
         """Return the record's entry; another visitor's is as unknown as one that never was."""
-        found = self._store.entries("id = ? and visitor = ?", [sitting_id, visitor])
+        found = self._store.entries(
+            "id = ? and (visitor = ? or origin = 'gallery')", [sitting_id, visitor]
+        )
         if not found:
             raise unknown("sitting", sitting_id, ())
         return found[0]
@@ -265,4 +279,5 @@ class Sittings:
             error=record.error,
             world=entry.world,
             cameras=self._store.frames.cameras(record.id, len(record.steps)),
+            recorded=entry.origin == "gallery",
         )

@@ -45,6 +45,8 @@ class Sitting:
     world: str = "embedded"
     cameras: tuple[Camera, ...] = ()
     """Those whose frames are kept for every step."""
+    recorded: bool = False
+    """Whether it is of the gallery, and nobody's own."""
 
     @property
     def event(self) -> Event:

@@ -39,7 +39,7 @@ LEVELS = {
     "rollout": 6,
     "explanation": 7, "cases": 8,
     "verdict": 7, "faults": 7, "version": 7, "run": 7, "store": 7, "score": 7, "report": 7,
-    "tally": 7, "published": 1,
+    "tally": 7, "published": 1, "own_words": 7, "gallery": 7,
     "replay": 7, "watching": 7, "sittings": 7, "view": 7, "fidelity": 7, "evaluation": 7,
     "tuning": 8, "bench": 8, "commands": 9, "pages": 9, "__main__": 9,
 }  # fmt: skip

@@ -7,6 +7,7 @@ from typing import Any
 
 import gradio as gr
 
+from reibench import gallery
 from reibench.errors import ReibenchError
 from reibench.pages.asking import Ask, visitor_token
 from reibench.pages.showing import Links, Showing
@@ -93,13 +94,16 @@ class Demo:
         """Show what this visitor did last, or what the address asks for."""
         token, wanted = visitor_token(visitor), request.query_params
         episode = wanted.get("episode") or ""
-        if episode not in self._sittings.episodes:
+        asked = {k: wanted.get(k) for k in ("actor", "model", "planner", "method")}
+        if not self._sittings.knows(episode):
             current = self._sittings.current(token)
-            episode = current.episode.id if current else self._showing.catalogue.first.id
-        ask = Ask.read(
-            {"episode": episode}
-            | {k: wanted.get(k) for k in ("actor", "model", "planner", "method")}
-        )
+            shown = gallery.cases()
+            if current is None and shown and not asked["actor"]:
+                # a first visitor sees at once what this is about
+                episode, asked["actor"] = shown[0].episode, "side"
+            else:
+                episode = current.episode.id if current else self._showing.catalogue.first.id
+        ask = Ask.read({"episode": episode} | asked)
         screen = replace(self._showing.whole(token, ask), seek=self._showing.finder().seek)
         return (token, *answer(ask, screen))
 
@@ -133,7 +137,8 @@ class Demo:
         ask = Ask.read(event._data)
         self._sittings.stop(visitor)
         catalogue = self._showing.catalogue
-        current = catalogue.by_id.get(ask.episode, catalogue.first)
+        known = self._sittings.knows(ask.episode)
+        current = self._sittings.episode(ask.episode) if known else catalogue.first
         if ask.shuffle is not None:
             chosen = catalogue.shuffled(current, ask.shuffle)
         else:

@@ -24,8 +24,8 @@ from reibench.store.schema import now
 from reibench.store.steps import step_row, steps_of
 from reibench.worlds import Event
 
-Origin = Literal["run", "demo", "study"]
-"""Where a record comes from: the command line's runs, the demo page, or a study's participants."""
+Origin = Literal["run", "demo", "study", "gallery"]
+"""Where a record comes from: the command line, the demo page, a study, or the shipped gallery."""
 
 
 @dataclass(frozen=True)

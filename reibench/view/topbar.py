@@ -191,6 +191,9 @@ def _room(catalogue: Catalogue, episode: Episode, scene: Scene) -> str:
     tasks = catalogue.tasks(episode.task.goal.task_type)
     rooms = [room for _, room in tasks]
     options = []
+    if episode.task.id not in dict(tasks):  # one that a visitor worded
+        here = f"{room_name(episode.task.setup.room)} · own words"
+        options.append(element("option", text(here), value=episode.task.id, selected=True))
     for at, (task, room) in enumerate(tasks):
         words = room_name(room)
         if rooms.count(room) > 1:
