@@ -12,6 +12,7 @@ from reibench.view.cameras import camera_strip
 from reibench.view.catalogue import Catalogue
 from reibench.view.choices import method_title, planner_title
 from reibench.view.dialogue import conversation
+from reibench.view.guessing import guessing
 from reibench.view.icons import sprite
 from reibench.view.markup import element
 from reibench.view.picker import picker
@@ -186,9 +187,11 @@ def side_screen(
     row: int | None = None,
     notice: str = "",
 ) -> Screen:
-    """Return the comparison of two runs."""
+    """Return the comparison of two runs; before they begin, an audience may guess."""
+    guess = guessing(setting.episode, start.scene) if runs[0] is None else ""
     return Screen(
-        bar=setting.bar(start, "side"), stage=side_stage(setting, runs, row=row, notice=notice)
+        bar=setting.bar(start, "side"),
+        stage=side_stage(setting, runs, row=row, notice=notice) + guess,
     )
 
 

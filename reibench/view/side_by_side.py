@@ -8,6 +8,7 @@ from reibench.skill import Skill
 from reibench.view.actor_panel import WAITING, record_of
 from reibench.view.alignment import Row, align, first_difference
 from reibench.view.dialogue import utterance_text
+from reibench.view.guessing import revealed
 from reibench.view.icons import mark
 from reibench.view.markup import classes, element, text
 from reibench.view.outcome import goal_conditions, verdict, verdict_box
@@ -48,18 +49,21 @@ def side_by_side(
     running = any(run is not None and run.status is None for run in (left, right))
     over = left is not None and right is not None and not running
     split = first_difference(rows) if left and right else None
-    parts = [_head(episode, method, begun=left is not None, running=running)]
+    recorded = left is not None and left.recorded
+    parts = [_head(episode, method, begun=left is not None, running=running, recorded=recorded)]
     if notice:
         parts.append(element("p", text(notice), class_="notice bad", role="alert"))
-    parts.append(_instructions(episode, right, method))
+    parts.append(_instructions(episode, right, method, begun=left is not None))
     parts.append(
         _stage(left, right, rows, split if over else None, at, (planner, f"{planner} + {method}"))
     )
     parts.append(_verdicts(left, right))
+    if over:
+        parts.append(revealed(episode))
     return element(
         "section",
         *parts,
-        class_=classes("sbs", running=running, over=over),
+        class_=classes("sbs", running=running, over=over, fresh=left is None),
         id="sbs",
         aria_label=f"Without and with {method}",
         data_row=at,
@@ -68,6 +72,7 @@ def side_by_side(
         data_left=left.id if left else "",
         data_right=right.id if right else "",
         data_running="true" if running else "false",
+        data_over="true" if over else "false",
     )
 
 
@@ -75,7 +80,7 @@ def _skills(run: Sitting | None) -> list[Skill]:
     return [step.decision.skill for step in run.steps] if run else []
 
 
-def _head(episode: Episode, method: str, *, begun: bool, running: bool) -> str:
+def _head(episode: Episode, method: str, *, begun: bool, running: bool, recorded: bool) -> str:
     title = element("h2", f"One instruction, without and with {text(method)}")
     if running:
         controls = [element("button", "Stop", type="button", class_="btn stop", data_do="stop")]
@@ -104,16 +109,29 @@ def _head(episode: Episode, method: str, *, begun: bool, running: bool) -> str:
                 class_="btn",
                 data_do="split",
             ),
-            element("button", "Again", type="button", class_="btn quiet", data_do="watch"),
-        ]
+            element(
+                "button", "Present", element("kbd", "P", class_="hide-m"), type="button",
+                class_="btn hide-m", data_do="present", title="Fill the screen",
+            ),
+            element(
+                "button", "Run live" if recorded else "Again", type="button", class_="btn quiet",
+                data_do="watch",
+            ),
+        ]  # fmt: skip
     leave = element(
         "button", "×", type="button", class_="btn icon quiet", data_do="leave",
         aria_label="Back to acting myself", title="Back (Esc)",
     )  # fmt: skip
+    chips = episode_chips(episode)
+    if recorded:
+        words = "recorded run"
+        chips += element(
+            "a", words, class_="chip", href="/cases?kind=helps",
+            title="A real run that came along, exactly as it was recorded; here are more cases",
+        )  # fmt: skip
     return element(
-        "div", title, episode_chips(episode), element("span", class_="grow"), *controls, leave,
-        class_="head",
-    )  # fmt: skip
+        "div", title, chips, element("span", class_="grow"), *controls, leave, class_="head"
+    )
 
 
 def _control(what: str, shape: str, words: str) -> str:
@@ -129,12 +147,13 @@ def _control(what: str, shape: str, words: str) -> str:
     )
 
 
-def _instructions(episode: Episode, right: Sitting | None, method: str) -> str:
+def _instructions(episode: Episode, right: Sitting | None, method: str, *, begun: bool) -> str:
     turns = len(episode.dialogue.context)
     said = element(
         "div",
         element("h2", f"Said after {_turns(turns)}" if turns else "Said", class_="label"),
-        element("p", utterance_text(episode.dialogue.instruction)),
+        # before it began, an audience may still be guessing
+        element("p", utterance_text(episode.dialogue.instruction, marked=begun)),
         class_="card show-re",
     )
     told = right.instruction if right else None

@@ -31,8 +31,8 @@ def navigation(here: str) -> str:
     return element(
         "header",
         element(
-            "nav", brand, *tabs, element("span", class_="grow"), theme, class_="nav",
-            aria_label="Pages",
+            "nav", brand, element("div", *tabs, class_="tabs"), element("span", class_="grow"),
+            theme, class_="nav", aria_label="Pages",
         ),
         class_="top",
     )  # fmt: skip

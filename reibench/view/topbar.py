@@ -111,8 +111,8 @@ def _pages(model: ModelStatus, links: Sequence[tuple[str, str]]) -> str:
         title="Models and settings",
     )
     return element(
-        "nav", brand, *tabs, element("span", class_="grow"), pill, gear, theme,
-        class_="nav", aria_label="Pages",
+        "nav", brand, element("div", *tabs, class_="tabs"), element("span", class_="grow"),
+        pill, gear, theme, class_="nav", aria_label="Pages",
     )  # fmt: skip
 
 

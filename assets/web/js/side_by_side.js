@@ -54,8 +54,64 @@ function play() {
   label();
 }
 
+// ---- presenting: the whole screen, verdicts at the end
+
+const root = document.documentElement;
+
+function present() {
+  const on = root.dataset.present !== "on";
+  root.dataset.present = on ? "on" : "";
+  if (on) {
+    root.requestFullscreen?.().catch(() => {}); // a browser may refuse; the page is enough
+    paused = false;
+    go(0);
+  } else if (document.fullscreenElement) {
+    document.exitFullscreen();
+  }
+}
+document.addEventListener("fullscreenchange", () => {
+  if (!document.fullscreenElement) root.dataset.present = "";
+});
+
+// ---- guessing: votes stay in this browser, by episode
+
+const votes = new Map();
+const votesOf = (episode) => votes.get(episode) ?? new Map();
+
+function showVotes() {
+  const panel = document.querySelector(".guess");
+  if (!panel) return;
+  const mine = votesOf(panel.dataset.of);
+  for (const button of panel.querySelectorAll("[data-guess]")) {
+    const words = mine.get(button.dataset.guess) ? String(mine.get(button.dataset.guess)) : "";
+    const shown = button.querySelector(".votes");
+    if (shown.textContent !== words) shown.textContent = words;
+  }
+  const meant = panel.dataset.meant;
+  if (!meant) return;
+  const all = [...mine.values()].reduce((sum, count) => sum + count, 0);
+  panel.hidden = all === 0;
+  const words = `${mine.get(meant) ?? 0} of ${all} guessed it.`;
+  const tally = panel.querySelector(".tally");
+  if (tally.textContent !== words) tally.textContent = words;
+}
+document.addEventListener("click", (event) => {
+  const button = event.target.closest?.("[data-guess]");
+  if (!button) return;
+  const episode = button.closest(".guess").dataset.of;
+  const mine = new Map(votesOf(episode));
+  mine.set(button.dataset.guess, (mine.get(button.dataset.guess) ?? 0) + 1);
+  votes.set(episode, mine);
+  showVotes();
+});
+
 const DO = {
   play,
+  present,
+  unguess: () => {
+    votes.clear();
+    showVotes();
+  },
   first: () => go(0),
   back: () => go(at() - 1),
   forward: () => go(at() + 1),
@@ -75,7 +131,9 @@ export function sideKeys(event) {
     " ": play,
     v: DO.split,
     V: DO.split,
-    Escape: () => send("choose", { as: "me" }),
+    p: DO.present,
+    P: DO.present,
+    Escape: () => (root.dataset.present === "on" ? present() : send("choose", { as: "me" })),
   }[event.key];
   if (!act || (event.key === " " && event.target.closest?.("button:not(.play)"))) return;
   event.preventDefault();
@@ -95,6 +153,9 @@ document.addEventListener("scroll", (event) => {
 let seen = null;
 onChange(() => {
   const view = stage();
+  if (!view && root.dataset.present === "on") present();
+  showVotes();
+  view?.classList.toggle("ended", at() >= rows() - 1);
   if (!view || view === seen) return;
   seen = view;
   const pane = view.querySelector(".stage");
