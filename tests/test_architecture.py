@@ -11,7 +11,7 @@ ROOT = Path(__file__).parents[1]
 TRAINING = "reibench/tuning/training.py"
 ONLY_IN = {
     "gradio": ("app.py", "reibench/pages/"),
-    "fastapi": ("app.py", "reibench/pages/"),
+    "fastapi": ("app.py", "reibench/pages/", "reibench/bench/cases.py"),
     "ai2thor": ("reibench/worlds/ai2thor/client.py",),
     "torch": ("reibench/backends/transformers/", "reibench/bench/published.py", TRAINING),
     "transformers": ("reibench/backends/transformers/", "reibench/bench/published.py"),
@@ -24,7 +24,7 @@ ONLY_IN = {
     "xllamacpp": ("reibench/backends/llama_server.py",),
     "unified_planning": ("reibench/planners/pddl.py",),
     "up_fast_downward": ("reibench/planners/pddl.py",),
-    "sqlite_utils": ("reibench/store/",),
+    "sqlite_utils": ("reibench/store/", "reibench/bench/cases.py"),
     "matplotlib": ("reibench/report/figures.py",),
     "ray": ("reibench/evaluation/on_ray.py",),
     "typst": ("reibench/cases/exporting/figure.py",),
@@ -41,7 +41,7 @@ LEVELS = {
     "verdict": 7, "faults": 7, "version": 7, "run": 7, "store": 7, "score": 7, "report": 7,
     "tally": 7, "published": 1, "own_words": 7, "gallery": 7,
     "replay": 7, "watching": 7, "sittings": 7, "view": 7, "fidelity": 7, "evaluation": 7,
-    "tuning": 8, "bench": 8, "commands": 9, "pages": 9, "__main__": 9,
+    "tuning": 8, "bench": 10, "commands": 10, "pages": 9, "__main__": 10,
 }  # fmt: skip
 MODULES = sorted((ROOT / "reibench").rglob("*.py"))
 HEAVY = (

@@ -8,17 +8,21 @@ from reibench.bench.planner import STEPS, bench_planner
 from reibench.bench.worlds import bench_world
 from reibench.commands.options import add_json
 from reibench.commands.output import say, table
+from reibench.errors import ReibenchError
 
 
 def add(command: ArgumentParser) -> None:
     """Add the command's options."""
-    command.add_argument("what", choices=("world", "planner"))
+    command.add_argument("what", choices=("world", "planner", "cases"))
     command.add_argument(
         "--model", default="gemma-3-270m", help="planner: a model on the shelf (%(default)s)"
     )
     command.add_argument("--threads", type=int, default=0, help="planner (default: as in `run`)")
     command.add_argument(
         "--steps", type=int, default=STEPS, help="planner: at most so many an episode (%(default)s)"
+    )
+    command.add_argument(
+        "--records", type=int, default=50_000, help="cases: in the database (%(default)s)"
     )
     add_json(command)
     command.set_defaults(command=bench_command)
@@ -29,12 +33,26 @@ def bench_command(arguments: Namespace) -> int:
     result: dict[str, Any]
     if arguments.what == "world":
         result, show = bench_world(), _world_lines
+    elif arguments.what == "cases":
+        result, show = _bench_cases(arguments.records), _cases_lines
     else:
         result = bench_planner(arguments.model, threads=arguments.threads, steps=arguments.steps)
         show = _planner_lines
     for line in [json.dumps(result)] if arguments.json else show(result):
         say(line)
     return 0
+
+
+def _bench_cases(records: int) -> dict[str, Any]:
+    from reibench.bench.cases import bench_cases  # the web server takes a second to import
+
+    if records < 1:
+        raise ReibenchError(f"--records {records} fills no database; ask for at least 1.")
+    return bench_cases(records)
+
+
+def _cases_lines(result: dict[str, Any]) -> list[str]:
+    return [table(list(result.items()), ["measured", "value"])]
 
 
 def _world_lines(result: dict[str, Any]) -> list[str]:

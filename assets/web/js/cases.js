@@ -6,6 +6,7 @@ const $ = (selector, within = document) => within.querySelector(selector);
 const $$ = (selector, within = document) => [...within.querySelectorAll(selector)];
 const view = () => $("#case");
 const number = (name) => Number(view()?.dataset[name] ?? 0);
+const narrow = () => matchMedia("(max-width:760px)").matches;
 const say = (words) => { $("#live").textContent = words; };
 
 // ---- parts of the page
@@ -66,7 +67,7 @@ async function showCase(address, { keep = true } = {}) {
   markCurrent();
   draw();
   say($("#case h1")?.textContent ?? "");
-  if (matchMedia("(max-width:760px)").matches) view().scrollIntoView({ block: "start" });
+  if (narrow()) view().scrollIntoView({ block: "start" });
 }
 
 function markCurrent() {
@@ -129,7 +130,7 @@ function draw() {
     cell.classList.toggle("row", here);
     cell.classList.toggle("cur", front);
     if (cell.tagName === "BUTTON") cell.tabIndex = front ? 0 : -1;
-    if (front) cell.scrollIntoView({ block: "nearest" });
+    if (front && !narrow()) cell.scrollIntoView({ block: "nearest" });
   }
   for (const thumb of $$(".thumb"))
     thumb.classList.toggle("on", Number(thumb.dataset.row) === row && Number(thumb.dataset.lane) === lane);

@@ -1,0 +1,252 @@
+"""The case pages and the comparison, through their addresses; and what strangers may try."""
+
+import csv
+import io
+import json
+import re
+
+import pytest
+from fastapi import FastAPI
+from fastapi.testclient import TestClient
+
+from reibench.pages.cases import CasePages
+from reibench.pages.comparison import ComparisonPages
+from tests.cases.conftest import PERSON, SPEC, TOLD
+
+
+@pytest.fixture
+def serve(store):
+    """Serve the pages to a researcher, or to anybody."""
+
+    def serve(*, researcher=True):
+        app = FastAPI()
+        cases = CasePages(store, lambda request: researcher)
+        app.include_router(cases.router())
+        app.include_router(ComparisonPages(store, cases).router())
+        return TestClient(app, base_url="http://here", follow_redirects=False)
+
+    return serve
+
+
+def listed(page):
+    """Return how many cases a page lists."""
+    return len(re.findall(r'class="case(?: on)?"', page))
+
+
+def runs_of(helped):
+    return ",".join(record.id for record in helped.values())
+
+
+def test_the_address_is_the_whole_state(serve, helped):
+    client = serve()
+    address = f"/cases?runs={runs_of(helped)}&step=2&lane=3&kind=helps"
+    first, again = client.get(address), client.get(address)
+    assert first.text == again.text
+    assert 'data-row="1" data-lane="2"' in first.text
+    assert 'aria-current="true"' in first.text
+
+
+def test_a_case_shows_dialogue_rewrite_steps_verdicts_and_the_chosen_step(serve, helped, episode):
+    page = serve().get(f"/cases?runs={runs_of(helped)}").text
+    said = next(one for one in episode.dialogue.instruction.expressions if not one.explicit)
+    assert f">{said.text}<sup>potato</sup>" in page
+    assert "<ins>" in page
+    assert "was taken for an apple at step 1; it means the potato." in page
+    assert "first divergence" in page
+    for lane in ("Person", "SayCan", "SayCan + TOCC"):
+        assert lane in page
+    assert page.count('class="thumb"') >= 3
+    assert "never true" in page
+
+
+def test_parts_of_the_page_can_be_had_alone(serve, helped):
+    client = serve()
+    address = f"/cases?runs={runs_of(helped)}&step=3&lane=3"
+    whole = client.get(address).text
+    for part in ("list", "case", "at"):
+        answer = client.get(f"{address}&part={part}")
+        assert answer.status_code == 200
+        assert "<html" not in answer.text
+        assert answer.text in whole
+
+
+def test_an_odd_step_or_run_is_brought_within_bounds(serve, helped):
+    client = serve()
+    for odd in ("step=999999999999", "step=-3", "lane=7", "step=x&lane=y", "lane=0", "most=0"):
+        assert client.get(f"/cases?runs={runs_of(helped)}&{odd}").status_code == 200
+
+
+def test_what_is_not_there_is_said_in_a_sentence(serve, helped):
+    client = serve()
+    for address in (
+        "/cases?runs=nonsense",
+        "/cases?case=nonsense",
+        "/cases/case.html?runs=no",
+        "/comparison?runs=nonsense",
+        "/cases/case.json?runs=",
+    ):
+        answer = client.get(address)
+        assert answer.status_code == 404, address
+        assert 'role="alert"' in answer.text
+        assert "Traceback" not in answer.text
+    assert client.get(f"/cases/case.exe?runs={runs_of(helped)}").status_code == 404
+
+
+def test_markup_in_the_address_is_only_text(serve, helped):
+    client = serve()
+    evil = "<script>alert(1)</script>"
+    for name in (
+        "words",
+        "level",
+        "kind",
+        "task_type",
+        "error",
+        "room",
+        "planner",
+        "model",
+        "method",
+        "tag",
+        "taken",
+        "case",
+        "runs",
+    ):
+        answer = client.get("/cases", params={name: evil})
+        assert evil not in answer.text, name
+        assert answer.status_code in (200, 404)
+    assert evil not in client.get("/comparison", params={"runs": evil}).text
+
+
+def test_participants_trials_are_shown_to_researchers_only(serve, play, episodes, helped):
+    trial = play(
+        episodes["pick_keys.mixed-short"], PERSON, "find a sofa", origin="study", visitor="SECRET"
+    )
+    anybody, researcher = serve(researcher=False), serve()
+    for address in (
+        f"/cases?runs={trial.id}",
+        f"/cases/case.json?runs={trial.id}",
+        f"/cases?runs={trial.id}&part=at",
+    ):
+        assert anybody.get(address).status_code == 404
+        assert researcher.get(address).status_code == 200
+    assert trial.id not in anybody.get("/cases").text + anybody.get("/cases/list.csv").text
+    assert trial.id in researcher.get("/cases").text
+    assert "SECRET" not in researcher.get(f"/cases?runs={trial.id}").text
+    assert "People" not in anybody.get("/comparison").text
+    assert "People" in researcher.get("/comparison").text
+
+
+def test_tags_and_a_note_are_kept_and_found(serve, helped):
+    client = serve()
+    sent = {
+        "runs": runs_of(helped),
+        "tags": "odd, <b>fun</b> ,odd",
+        "note": "Look & see",
+        "back": "/cases?kind=helps",
+    }
+    answer = client.post("/cases/keep", data=sent, headers={"Origin": "http://here"})
+    assert (answer.status_code, answer.headers["location"]) == (303, "/cases?kind=helps")
+    page = client.get("/cases?tag=odd").text
+    assert "Look &amp; see" in page
+    assert "&lt;b&gt;fun&lt;/b&gt;" in page
+    assert listed(client.get("/cases?tag=even").text) == 0
+
+
+@pytest.mark.parametrize(
+    ("sent", "origin", "status"),
+    [
+        ({}, "http://here", 422),
+        ({"runs": "nonsense"}, "http://here", 400),
+        ({"tags": "x" * 99}, "http://here", 400),
+        ({"tags": ",".join(map(str, range(50)))}, "http://here", 400),
+        ({"note": "x" * 5000}, "http://here", 400),
+        ({"tags": "fine"}, "http://elsewhere", 403),
+        ({"tags": "fine"}, "", 403),
+    ],
+)
+def test_odd_tags_and_notes_change_nothing(serve, store, helped, sent, origin, status):
+    given = {"runs": runs_of(helped)} | sent if sent else {}
+    answer = serve().post("/cases/keep", data=given, headers={"Origin": origin})
+    assert answer.status_code == status
+    assert store.query("select * from tags") == []
+    assert store.query("select * from notes") == []
+
+
+def test_only_researchers_keep_notes_and_nobody_is_led_elsewhere(serve, store, helped):
+    sent = {"runs": runs_of(helped), "tags": "x", "back": "//elsewhere/cases"}
+    refused = serve(researcher=False).post(
+        "/cases/keep", data=sent, headers={"Origin": "http://here"}
+    )
+    assert refused.status_code == 403
+    assert store.query("select * from tags") == []
+    kept = serve().post("/cases/keep", data=sent, headers={"Origin": "http://here"})
+    assert kept.headers["location"].startswith("/cases?")
+
+
+def test_a_case_can_be_had_as_data_figure_and_page(serve, helped):
+    client = serve()
+    had = {
+        form: client.get(f"/cases/case.{form}?runs={runs_of(helped)}")
+        for form in ("json", "html", "svg", "pdf")
+    }
+    assert all(answer.status_code == 200 for answer in had.values())
+    data = json.loads(had["json"].text)
+    assert [len(run["steps"]) for run in data["runs"]] == [
+        len(helped[lane].steps) for lane in ("person", "plain", "told")
+    ]
+    assert had["svg"].text.startswith("<svg")
+    assert had["pdf"].content.startswith(b"%PDF")
+    page = had["html"].text
+    assert not re.search(r'(?:src|href)="(?:https?:)?//', page)
+    assert "/web/" not in page
+    assert page.count("<template") == 3 * (len(data["rows"]) + 1)
+
+
+def test_the_list_can_be_had_as_a_table_without_formulas(serve, helped, play, episodes):
+    rows = list(csv.DictReader(io.StringIO(serve().get("/cases/list.csv?kind=helps").text)))
+    assert [row["plain_id"] for row in rows] == [helped["plain"].id]
+    assert not any(cell.startswith(("=", "+", "@")) for row in rows for cell in row.values())
+
+
+def test_the_comparison_counts_what_score_counts(serve, helped, play, episodes):
+    play(episodes["pick_keys.mixed-short"], SPEC, "find a sofa")
+    play(episodes["pick_keys.mixed-short"], TOLD, "find a sofa")
+    client = serve()
+    page = client.get("/comparison").text
+    assert "SayCan + TOCC, mixed, noised: 100 % (21 to 100), n = 1" in page
+    assert "SayCan, mixed, noised: 0 % (0 to 79), n = 1" in page
+    assert "+50 points" in page
+    assert "potato taken for apple: 1" in page
+    rows = list(csv.DictReader(io.StringIO(client.get("/comparison/data.csv").text)))
+    told = [row for row in rows if row["title"] == "SayCan + TOCC"]
+    assert sum(int(row["success"]) for row in told) == 1
+    assert sum(int(row["episodes"]) for row in told) == 2
+
+
+def test_every_bar_leads_to_its_cases(serve, helped):
+    client = serve()
+    page = client.get("/comparison").text
+    links = {link.replace("&amp;", "&") for link in re.findall(r'href="(/cases\?[^"]+)"', page)}
+    assert links
+    for link in links:
+        assert listed(client.get(f"{link}&part=list").text) >= 1, link
+
+
+def test_the_gallery_does_not_count(serve, store, helped):
+    with store.writing() as database:
+        database.execute("update records set origin = 'gallery' where origin = 'run'")
+    client = serve()
+    assert "No run is recorded yet" in client.get("/comparison").text
+    assert listed(client.get("/cases").text) == 1
+
+
+def test_the_published_numbers_can_be_left_out(serve, helped):
+    client = serve()
+    assert client.get("/comparison").text.count('class="pub"') == 3
+    assert client.get("/comparison?paper=0").text.count('class="pub"') == 1  # in the switch
+
+
+def test_the_comparison_can_be_had_as_a_figure(serve, helped):
+    client = serve()
+    assert client.get("/comparison/figure.svg").content.startswith(b"<?xml")
+    assert client.get("/comparison/figure.pdf").content.startswith(b"%PDF")
+    assert client.get("/comparison/figure.exe").status_code == 404
