@@ -17,6 +17,7 @@ from reibench.commands import (
     sampling,
     scoring,
     shelving,
+    showing,
     training,
     viewing,
 )
@@ -36,6 +37,7 @@ COMMANDS = {
     "view": (viewing, "write pages to look at: all rooms on a contact sheet"),
     "check-dataset": (checking, "are the episodes sound, and can they be solved?"),
     "train": (training, "teach the packaged model to plan, or to restate"),
+    "gallery": (showing, "the recorded runs that come along"),
     "bench": (benching, "measure speed and memory"),
 }
 

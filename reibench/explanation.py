@@ -249,14 +249,12 @@ def _without_a_step(failure: _Failure) -> str:
     """Return which step was left out before a thing was put where it should be."""
     goal = failure.goal
     treated = TREATED.get(goal.task_type)
-    placed = failure.since("placed") or failure.since("carrier-placed")
     word = _word(failure.carried)
     if goal.sliced and not failure.since("sliced"):
         return _sentence(f"the {_word(goal.object)} was never sliced")
     if treated and failure.since(treated) is None:
-        where = f"{preposition(goal.destination)} the {_word(goal.destination)}"
-        put = f"put {where} at step {placed}" if placed else "carried"
-        return _sentence(f"the {word} was {put}, but never {treated}")
+        return _sentence(f"the {word} {_brought(failure)}, but never {treated}")
+    placed = failure.since("placed") or failure.since("carrier-placed")
     if goal.task_type is TaskType.STACK and failure.since("stacked") is None:
         on = preposition(goal.movable_receptacle)
         thing = _word(goal.object)
@@ -266,6 +264,18 @@ def _without_a_step(failure: _Failure) -> str:
             )
         return _sentence(f"the {thing} was never put {on} the {word}")
     return _never(failure)
+
+
+def _brought(failure: _Failure) -> str:
+    """Return how what was to be carried came to its place, or that it did not."""
+    goal, start = failure.goal, failure.record.start
+    where = f"{preposition(goal.destination)} the {_word(goal.destination)}"
+    last = _last_put(failure.record, failure.carried)
+    if last and {goal.destination, f"{goal.destination}Basin"} & set(last[1]):
+        return f"was put {where} at step {last[0]}"
+    if start and _holds(start.goals, "placed") and failure.since("placed") == 1:
+        return f"lay {where} from the start"
+    return "was carried"
 
 
 def _again_and_again(failure: _Failure) -> str:

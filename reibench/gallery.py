@@ -4,9 +4,10 @@ Any can be replayed. They were chosen, to show what happens, and count in no tab
 """
 
 import base64
+import csv
 import gzip
 import json
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -16,14 +17,13 @@ from reibench.store import Store
 
 FILE = Path(__file__).parents[1] / "assets" / "gallery" / "runs.jsonl.gz"
 TABLES = ("runs", "episodes", "scenes", "records", "steps")
-_OF_RECORDS = {
-    "runs": "select * from runs where id in (select run from records where {})",
-    "episodes": "select * from episodes where digest in"
-    " (select episode_digest from records where {})",
-    "scenes": "select * from scenes where digest in (select start_scene from records where {})",
-    "records": "select * from records where {}",
-    "steps": "select * from steps where record in (select id from records where {})"
-    " order by record, number",
+_OF_RECORD = {
+    "runs": "select * from runs where id = (select run from records where id = ?)",
+    "episodes": "select * from episodes where digest ="
+    " (select episode_digest from records where id = ?)",
+    "scenes": "select * from scenes where digest = (select start_scene from records where id = ?)",
+    "records": "select * from records where id = ?",
+    "steps": "select * from steps where record = ? order by number",
 }
 
 
@@ -44,29 +44,36 @@ def cases(file: Path = FILE) -> tuple[GalleryCase, ...]:
     return tuple(GalleryCase(**each) for each in first["cases"])
 
 
-def save(store: Store, chosen: Sequence[GalleryCase], file: Path = FILE) -> int:
-    """Write these cases' records as they are in `store`; return the bytes of the file.
+def save(chosen: Sequence[tuple[Store, GalleryCase]], file: Path = FILE) -> int:
+    """Write these cases' records as they are in their databases; return the bytes of the file.
 
     Raises:
         ReibenchError: for a record that is not there or not finished.
     """
-    ids = list(dict.fromkeys(id_ for case in chosen for id_ in (case.plain, case.told)))
-    where = f"id in ({', '.join('?' * len(ids))})"
-    known = {
-        row["id"]
-        for row in store.query(f"select id from records where {where} and status not null", ids)
-    }
-    if missing := [each for each in ids if each not in known]:
-        raise ReibenchError(f"The database has no finished record {missing[0]!r}.")
-    lines: list[dict[str, Any]] = [{"cases": [vars(case) for case in chosen]}]
-    for table in TABLES:
-        rows = store.query(_OF_RECORDS[table].format(where), ids)
-        lines += [{"table": table, "row": _to_json(row)} for row in rows]
+    lines: list[dict[str, Any]] = [{"cases": [vars(case) for _, case in chosen]}]
+    written: set[str] = set()
+    for store, case in chosen:
+        for record_id in (case.plain, case.told):
+            if record_id not in written:
+                written.add(record_id)
+                lines += _record_lines(store, record_id)
+    # what several records share stands once
+    unique = dict.fromkeys(json.dumps(line, ensure_ascii=False) for line in lines)
     file.parent.mkdir(parents=True, exist_ok=True)
-    text = "".join(json.dumps(line, ensure_ascii=False) + "\n" for line in lines)
+    text = "".join(f"{line}\n" for line in unique)
     # no time of writing in it: the same records give the same file
     file.write_bytes(gzip.compress(text.encode(), 9, mtime=0))
     return file.stat().st_size
+
+
+def _record_lines(store: Store, record_id: str) -> Iterator[dict[str, Any]]:
+    """Yield the rows a record consists of, those it refers to before those that refer."""
+    known = store.query("select id from records where id = ? and status not null", [record_id])
+    if not known:
+        raise ReibenchError(f"The database {store.path} has no finished record {record_id!r}.")
+    for table in TABLES:
+        for row in store.query(_OF_RECORD[table], [record_id]):
+            yield {"table": table, "row": _to_json(row)}
 
 
 def load(store: Store, file: Path = FILE) -> int:
@@ -115,26 +122,21 @@ def _from_json(row: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def matching(store: Store, pairs: Iterable[tuple[str, str, str]]) -> list[GalleryCase]:
-    """Return the cases of episode, model and method triples, from the runs of a database.
+def matching(store: Store, episode: str, model: str, method: str) -> GalleryCase | None:
+    """Return the latest runs of an episode by a model, without the method and with it, if any."""
+    ids = []
+    for name in ("none", method):
+        rows = store.query(
+            "select records.id from records join runs on runs.id = run where episode = ?"
+            " and model = ? and method = ? and planner = 'saycan' and status not null"
+            " order by finished desc limit 1",
+            [episode, model, name],
+        )
+        ids += [row["id"] for row in rows]
+    return GalleryCase(episode, *ids) if len(ids) == 2 else None
 
-    Raises:
-        ReibenchError: where a run without the method or with it is missing.
-    """
-    found = []
-    for episode, model, method in pairs:
-        ids = {}
-        for name in ("none", method):
-            rows = store.query(
-                "select records.id from records join runs on runs.id = run where episode = ?"
-                " and model = ? and method = ? and planner = 'saycan' and status not null"
-                " order by finished desc limit 1",
-                [episode, model, name],
-            )
-            if not rows:
-                raise ReibenchError(
-                    f"The database has no finished run of {episode} with {model}, method {name}."
-                )
-            ids[name] = rows[0]["id"]
-        found.append(GalleryCase(episode, ids["none"], ids[method]))
-    return found
+
+def read_choice(file: Path) -> list[tuple[str, str, str]]:
+    """Return the episodes, models and methods of a table of cases to show, the best first."""
+    with file.open(encoding="utf-8", newline="") as rows:
+        return [(row["episode"], row["model"], row["method"]) for row in csv.DictReader(rows)]

@@ -53,9 +53,9 @@ def note_faults(store: Store, most: int = -1) -> int:
     At most so many, the latest first; a negative number for all.
     """
     rows = store.query(
-        "select id from records where status not null and (reason is null"
-        " or (fault is null and status in ('failure', 'truncated')))"
-        " order by finished desc limit ?",
+        "select id, finished from records where status not null and reason is null union"
+        " select id, finished from records where fault is null"
+        " and status in ('failure', 'truncated') order by finished desc limit ?",
         [most],
     )
     store.judge(store.record(row["id"]) for row in rows)

@@ -26,6 +26,8 @@ person did it, no planner here did. same: both came out alike. single: there is 
 """
 JUDGED_AT_ONCE = 500
 """How many records of older versions are judged anew before a page is shown."""
+LARGE = 20_000
+"""Records from which on nobody is kept waiting for the table to be brought up to date."""
 _SETTING = ("planner", "model", "rules")
 _EPISODE = ("episode", "episode_digest", "task", "task_type", "level", "room")
 _RUN = ("id", "status", "error_kind", "fault", "reason", "taken", "steps", "origin")
@@ -48,23 +50,22 @@ class Table:
     """Of each episode's digest its `title` and what is `meant`, the goal's object."""
     words: Mapping[str, str]
     """What is said in each episode, by its digest."""
-    hidden: Collection[str] = ()
+    cases: pd.DataFrame
+    """One row a case, most telling first.
+
+    It has the episode's columns, `title` and `meant`, `planner`, `model`, `method`, `rules`,
+    `kind`, and for each of `LANES` the record's columns, e.g. `plain_status`.
+    """
+    hidden: frozenset[str] = frozenset()
     """Ids of records that say nothing of people, e.g. of practice tasks."""
-
-    @cached_property
-    def cases(self) -> pd.DataFrame:
-        """One row a case, most telling first.
-
-        It has the episode's columns, `title` and `meant`, `planner`, `model`, `method`, `rules`,
-        `kind`, and for each of `LANES` the record's columns, e.g. `plain_status`.
-        """
-        real = self.records[~self.records["id"].isin(list(self.hidden))]
-        return cases_of(real, self.episodes)
 
     @cached_property
     def public(self) -> pd.DataFrame:
         """The cases without what participants of studies did."""
-        return cases_of(self.records[self.records["origin"] != "study"], self.episodes)
+        studied = self.records["origin"] == "study"
+        if not studied.any():
+            return self.cases
+        return cases_of(self.records[~studied], self.episodes)
 
 
 class CaseTable:
@@ -79,17 +80,40 @@ class CaseTable:
         self._table = _empty()
 
     def now(self) -> Table:
-        """Return the table as the database is now."""
-        with self._lock:
-            [row] = self._store.query(
-                "select count(*) as records, coalesce(max(finished), '') as latest from records"
-                " where status not null and finished not null"
-            )
-            known = (row["records"], row["latest"])
-            if known != self._known:
-                self._table = self._read(known[0])
-                self._known = known
+        """Return the table as the database is now.
+
+        A large one that has changed is brought up to date behind the scenes: it is returned as it
+        was a moment ago, and nobody waits.
+        """
+        known = self._state()
+        if known == self._known:
             return self._table
+        if len(self._table.records) > LARGE:
+            if self._lock.acquire(blocking=False):
+                threading.Thread(target=self._catch_up, args=(known,), daemon=True).start()
+            return self._table
+        with self._lock:
+            if known != self._known:
+                self._update(known)
+            return self._table
+
+    def _state(self) -> tuple[int, str]:
+        """Return how many records are finished, and when the last one was."""
+        [row] = self._store.query(
+            "select count(finished) as records, coalesce(max(finished), '') as latest from records"
+        )
+        return row["records"], row["latest"]
+
+    def _catch_up(self, known: tuple[int, str]) -> None:
+        """Update the table; the lock is held already."""
+        try:
+            self._update(known)
+        finally:
+            self._lock.release()
+
+    def _update(self, known: tuple[int, str]) -> None:
+        self._table = self._read(known[0])
+        self._known = known
 
     def forget(self) -> None:
         """Read everything anew next time."""
@@ -99,14 +123,22 @@ class CaseTable:
     def _read(self, number: int) -> Table:
         """Read what is new; everything, if something is gone."""
         note_faults(self._store, JUDGED_AT_ONCE)
-        before = self._table.records
-        records = self._since(self._known[1])
-        if len(before):
-            stays = before[~before["id"].isin(records["id"])]
-            records = pd.concat([stays, records], ignore_index=True)
-        if len(records) != number:
+        before = self._table
+        records = new = self._since(self._known[1])
+        if len(before.records):
+            stays = before.records[~before.records["id"].isin(new["id"])]
+            records = pd.concat([stays, new], ignore_index=True)
+        whole = len(records) != number
+        if whole:
             records = self._since("")
-        return Table(records, *self._episodes(set(records["episode_digest"])), self._hidden())
+        hidden = frozenset(self._hidden())
+        episodes, words = self._episodes(set((records if whole else new)["episode_digest"]))
+        real = records[~records["id"].isin(hidden)] if hidden else records
+        if whole or hidden != before.hidden or not len(before.cases):
+            cases = cases_of(real, episodes)
+        else:
+            cases = _changed(before.cases, real, set(new["episode_digest"]), episodes)
+        return Table(records, episodes, words, cases, hidden)
 
     def _since(self, finished: str) -> pd.DataFrame:
         rows = self._store.query(_RECORDS, [finished])
@@ -130,7 +162,17 @@ _TITLES = ["episode_digest", "title", "meant"]
 
 
 def _empty() -> Table:
-    return Table(pd.DataFrame(columns=_columns()), pd.DataFrame(columns=_TITLES), {})
+    records, episodes = pd.DataFrame(columns=_columns()), pd.DataFrame(columns=_TITLES)
+    return Table(records, episodes, {}, cases_of(records, episodes))
+
+
+def _changed(
+    cases: pd.DataFrame, records: pd.DataFrame, digests: set[str], titles: pd.DataFrame
+) -> pd.DataFrame:
+    """Return cases with those of some episodes made anew."""
+    anew = cases_of(records[records["episode_digest"].isin(digests)], titles)
+    stays = cases[~cases["episode_digest"].isin(digests)]
+    return _in_order(pd.concat([stays, anew], ignore_index=True))
 
 
 def _columns() -> list[str]:
@@ -185,17 +227,12 @@ def _sorted(cases: pd.DataFrame) -> pd.DataFrame:
     failed = (there["plain"] & ~solved["plain"]) | (there["told"] & ~solved["told"])
     rank = kind.map({name: place for place, name in enumerate(KINDS)}) * 4
     rank += (~failed).astype(int) * 2 + (~solved["person"]).astype(int)
-    ordered = cases.assign(kind=kind, order=rank)
-    return ordered.sort_values(
-        ["order", "level", "episode", "method"],
-        ignore_index=True,
-        kind="stable",
-        key=_vaguest_first,
-    )
+    references = cases["level"].str.partition("-")[0]
+    vague = references.map({"implicit": 0, "mixed": 1}).fillna(2)
+    return _in_order(cases.assign(kind=kind, order=(rank * 4 + vague).astype(int)))
 
 
-def _vaguest_first(values: pd.Series) -> pd.Series:
-    if values.name != "level":
-        return values
-    order = {"implicit": 0, "mixed": 1, "explicit": 2}
-    return values.map(lambda level: order.get(str(level).partition("-")[0], 3))
+def _in_order(cases: pd.DataFrame) -> pd.DataFrame:
+    """Return cases with the most telling first, the vaguest first among those alike."""
+    by = ["order", "level", "episode", "method"]
+    return cases.sort_values(by, ignore_index=True, kind="stable")

@@ -5,6 +5,7 @@ import io
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+import pandas as pd
 from fastapi import APIRouter, HTTPException, Request
 from fastapi.responses import HTMLResponse, Response
 
@@ -16,6 +17,7 @@ from reibench.cases.comparing import (
     contestants,
     prepared,
 )
+from reibench.cases.table import Table
 from reibench.cases.views.comparison import comparison_view
 from reibench.errors import ReibenchError
 from reibench.pages.cases import CasePages
@@ -30,12 +32,17 @@ HEAD = head("comparison", "comparison")
 FORMS = {"svg": "image/svg+xml", "pdf": "application/pdf", "png": "image/png"}
 
 
+_Prepared = tuple[int, bool, Table, pd.DataFrame, list[Contestant]]
+"""Of which table, for whom: its records made ready, and who is among them."""
+
+
 class ComparisonPages:
     """The comparison over the records of the case pages."""
 
     def __init__(self, store: Store, cases: CasePages) -> None:
         self._store = store
         self._cases = cases
+        self._last: _Prepared | None = None
 
     def router(self) -> APIRouter:
         """Return the page's addresses."""
@@ -118,9 +125,13 @@ class ComparisonPages:
         return Response(file.getvalue(), media_type="text/csv", headers=_named("comparison.csv"))
 
     def _shown(self, request: Request) -> tuple[Comparison, list[Contestant]]:
-        records = prepared(self._cases.table.now(), researcher=self._cases.researcher(request))
-        known = contestants(records)
-        return Comparison(records, choose(known, request.query_params.get("runs", ""))), known
+        table, researcher = self._cases.table.now(), self._cases.researcher(request)
+        if self._last is None or self._last[:2] != (id(table), researcher):
+            records = prepared(table, researcher=researcher)
+            self._last = (id(table), researcher, table, records, contestants(records))
+        records, known = self._last[3], self._last[4]
+        chosen = choose(known, request.query_params.get("runs", ""))
+        return Comparison(records, chosen), known
 
     def _or_404(self, request: Request) -> Comparison:
         try:

@@ -87,6 +87,11 @@ def why_failures_failed(database: Database) -> None:
     database.execute("alter table records add column reason text")
     database.execute("alter table records add column taken text")
     database.execute("create index records_finished on records(finished)")
+    for name, condition in (
+        ("without_reason", "status not null and reason is null"),
+        ("without_fault", "fault is null and status in ('failure', 'truncated')"),
+    ):
+        database.execute(f"create index {name} on records(finished) where {condition}")
 
 
 @migration
