@@ -51,6 +51,8 @@ def side_by_side(
     split = first_difference(rows) if left and right else None
     recorded = left is not None and left.recorded
     parts = [_head(episode, method, begun=left is not None, running=running, recorded=recorded)]
+    if recorded:
+        parts.append(_lead(method))
     if notice:
         parts.append(element("p", text(notice), class_="notice bad", role="alert"))
     parts.append(_instructions(episode, right, method, begun=left is not None))
@@ -113,25 +115,31 @@ def _head(episode: Episode, method: str, *, begun: bool, running: bool, recorded
                 "button", "Present", element("kbd", "P", class_="hide-m"), type="button",
                 class_="btn hide-m", data_do="present", title="Fill the screen",
             ),
-            element(
-                "button", "Run live" if recorded else "Again", type="button", class_="btn quiet",
-                data_do="watch",
-            ),
         ]  # fmt: skip
-    leave = element(
+        if not recorded:
+            controls.append(
+                element("button", "Again", type="button", class_="btn quiet", data_do="watch")
+            )
+    leave = "" if recorded else element(
         "button", "×", type="button", class_="btn icon quiet", data_do="leave",
         aria_label="Back to acting myself", title="Back (Esc)",
     )  # fmt: skip
     chips = episode_chips(episode)
-    if recorded:
-        words = "recorded run"
-        chips += element(
-            "a", words, class_="chip", href="/cases?kind=helps",
-            title="A real run that came along, exactly as it was recorded; here are more cases",
-        )  # fmt: skip
     return element(
         "div", title, chips, element("span", class_="grow"), *controls, leave, class_="head"
     )
+
+
+def _lead(method: str) -> str:
+    """Return what a first visitor should know."""
+    words = (
+        "A language model plans for a household robot. Left, it takes the vague words as they are;"
+        f" right, {method} restates them first. These two runs are recordings."
+    )
+    live = element("button", "Run live", type="button", class_="btn sm", data_do="watch")
+    act = element("button", "Act yourself", type="button", class_="btn sm", data_do="leave")
+    more = element("a", "More cases", href="/cases?kind=helps", class_="btn sm")
+    return element("div", element("p", text(words)), live, act, more, class_="lead")
 
 
 def _control(what: str, shape: str, words: str) -> str:
