@@ -71,3 +71,13 @@ def test_an_owner_gets_one_however_often_it_asks_at_once():
     for thread in threads:
         thread.join()
     assert made == [1]
+
+
+def test_a_look_at_what_somebody_has_lends_nothing():
+    pool = Pool(1, lambda value: None)
+    assert pool.peek("ann") is None
+    pool.lend("ann", "ann".upper)
+    assert pool.peek("ann") == "ANN"
+    pool.lend("ben", "ben".upper)
+    assert pool.peek("nobody") is None
+    assert len(pool) <= 2
