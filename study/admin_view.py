@@ -56,7 +56,8 @@ def studies(found: Sequence[Mapping[str, Any]]) -> str:
     if not rows:
         how = "There is no study yet. Make one with: python -m study create assets/study/study.toml"
         return _page("Studies", element("p", text(how)))
-    return _page("Studies", _table(("study", "state", "version"), rows))
+    cases = element("p", _link("/admin/-/cases", "Cases, with what participants did"))
+    return _page("Studies", _table(("study", "state", "version"), rows), cases)
 
 
 def study(

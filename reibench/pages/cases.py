@@ -254,7 +254,8 @@ def _again(case: Case) -> str:
     shown = told or next((run for run in case.runs if run.lane == "plain"), None)
     asked = {"episode": case.episode.id, "actor": "side"}
     if shown is not None:
-        asked |= {"model": shown.model, "planner": shown.planner}
+        name = shown.model.partition(":")[2] or shown.model
+        asked |= {"model": name, "planner": shown.planner}
     if told is not None:
         asked |= {"method": told.method}
     return element("a", "Run again live", href=f"/?{urlencode(asked)}", class_="btn sm")

@@ -104,12 +104,35 @@ def planners(browser: Browser, address: str, episodes: Sequence[str]) -> str:
     return shown
 
 
+def cases(browser: Browser, address: str) -> None:
+    """Take the pictures of a recorded case and of wording one's own."""
+    page = browser.new_context(viewport=DESKTOP).new_page()
+    page.goto(f"{address}/cases?kind=helps&level=implicit-short")
+    page.click("#list .case:has-text('apple')")
+    page.wait_for_timeout(600)
+    save(page, "cases")
+    page.goto(f"{address}/own?room=kitchen-6")
+    page.fill("#before", "Human: I have eaten nothing since five.\nRobot: There is fruit in here.")
+    page.fill("#request", "Then put the round red thing somewhere cold, would you?")
+    save(page, "own-words")
+
+
+def comparison(browser: Browser, database: Path) -> None:
+    """Take the picture of the comparison of a database's runs."""
+    with serving.app(database) as address:
+        page = browser.new_context(viewport={"width": 1280, "height": 900}).new_page()
+        page.goto(f"{address}/comparison")
+        page.wait_for_timeout(600)
+        save(page, "comparison")
+
+
 def main() -> None:
     """Take all pictures, or only those of a person (no language model) or of planners (one)."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--model", default="", help="for the side by side; the best one if empty")
     parser.add_argument("--episodes", default=EPISODE, help="to try for it, with commas")
-    parser.add_argument("--only", choices=("person", "planners"), help="leave the others out")
+    parser.add_argument("--only", choices=("person", "planners", "cases"))
+    parser.add_argument("--runs", type=Path, help="a database of runs, for the comparison")
     given = parser.parse_args()
     FOLDER.mkdir(parents=True, exist_ok=True)
     with (
@@ -117,10 +140,14 @@ def main() -> None:
         serving.app(Path(folder) / "demo.db", model=given.model) as address,
         serving.browser() as browser,
     ):
-        if given.only != "planners":
+        if given.only in (None, "person"):
             person(browser, address, expert_skills(EPISODE))
-        if given.only != "person":
+        if given.only in (None, "planners"):
             planners(browser, address, given.episodes.split(","))
+        if given.only in (None, "cases"):
+            cases(browser, address)
+        if given.runs:
+            comparison(browser, given.runs)
 
 
 if __name__ == "__main__":
