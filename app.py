@@ -3,6 +3,7 @@
 import argparse
 import os
 import sys
+from contextlib import suppress
 from pathlib import Path
 from urllib.parse import urlencode
 
@@ -14,11 +15,11 @@ from fastapi import FastAPI, HTTPException, Request
 from fastapi.responses import FileResponse, RedirectResponse
 from fastapi.staticfiles import StaticFiles
 
-from reibench import gallery
+from reibench import gallery, models
 from reibench.backends.opening import open_backend
 from reibench.commands.options import add_world, default_world
 from reibench.dataset.files import shipped_episodes
-from reibench.errors import ReibenchError
+from reibench.errors import ModelUnavailable, ReibenchError
 from reibench.own_words import OwnEpisodes
 from reibench.pages import demo
 from reibench.pages.cases import CasePages
@@ -74,6 +75,9 @@ def make_app(database: str, model: str = "", world: str = "embedded") -> FastAPI
     app.mount("/admin", study_admin.build(enrolment))
     taking_part = study_pages.build(enrolment)
     gr.mount_gradio_app(app, taking_part, path="/study", head=head("study", "study"), **MOUNTED)
+    # whoever comes first finds the default model ready, or nearly
+    with suppress(ModelUnavailable):
+        sittings.prepare(model or f"llama-cpp:{models.best_present()}")
     page = demo.build(sittings, links=LINKS, model=model)
     return gr.mount_gradio_app(app, page, path="/", head=HEAD, **shown)
 

@@ -57,7 +57,8 @@ class Showing:
             return person_screen(setting, own, notice=notice)
         model = self.model_of(ask)
         self._sittings.prepare(model)
-        watched = self._sittings.recorded(ask.episode)
+        # recordings are for looking at; who watches a planner wants it to act
+        watched = self._sittings.recorded(ask.episode) if ask.actor == "side" else {}
         watched |= self._sittings.watched(visitor, ask.episode)
         plain = watched.get(f"{ask.planner}+none/{model}")
         told = watched.get(f"{ask.planner}+{self.method_of(ask)}/{model}")
