@@ -87,6 +87,7 @@ class Demo:
     def __init__(self, sittings: Sittings, showing: Showing) -> None:
         self._sittings = sittings
         self._showing = showing
+        self._gallery = gallery.cases()
 
     # what a visitor does
 
@@ -97,10 +98,9 @@ class Demo:
         asked = {k: wanted.get(k) for k in ("actor", "model", "planner", "method")}
         if not self._sittings.knows(episode):
             current = self._sittings.current(token)
-            shown = gallery.cases()
-            if current is None and shown and not asked["actor"]:
+            if current is None and self._gallery and not asked["actor"]:
                 # a first visitor sees at once what this is about
-                episode, asked["actor"] = shown[0].episode, "side"
+                episode, asked["actor"] = self._gallery[0].episode, "side"
             else:
                 episode = current.episode.id if current else self._showing.catalogue.first.id
         ask = Ask.read({"episode": episode} | asked)

@@ -1,6 +1,7 @@
 """The list of cases and its filters."""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 from urllib.parse import urlencode
 
@@ -13,6 +14,7 @@ from reibench.dialogue import CONTEXTS, REFERENCES
 from reibench.episode import TaskType
 from reibench.faults import FaultKind
 from reibench.report.labels import model_label
+from reibench.skill import in_words
 from reibench.verdict import ErrorKind
 from reibench.view.choices import method_title, planner_title
 from reibench.view.icons import mark
@@ -109,7 +111,7 @@ def _levels(wanted: CaseFilter, found: Found) -> str:
                 element(
                     "a",
                     str(count),
-                    href=address(CaseFilter(**{**wanted.active, "level": wanted.toggled(level)})),
+                    href=address(replace(wanted, level=wanted.toggled(level))),
                     class_=classes("hc", sel=chosen),
                     style=f"--p:{round(8 + 60 * count / most)}%",
                     aria_label=f"{reference}, {context}: {count} cases",
@@ -133,7 +135,7 @@ def _kinds(wanted: CaseFilter, found: Found) -> str:
                 KIND_WORDS[kind],
                 " ",
                 element("i", str(counts.get(kind, 0))),
-                href=address(CaseFilter(**{**wanted.active, "kind": "" if chosen else kind})),
+                href=address(replace(wanted, kind="" if chosen else kind)),
                 class_=classes("chip", on=chosen),
                 title=KIND_TITLES[kind],
                 aria_current="true" if chosen else None,
@@ -181,10 +183,10 @@ def _taken(wanted: CaseFilter) -> str:
     if not wanted.taken:
         return ""
     meant, _, instead = wanted.taken.partition("/")
-    words = f"{meant} taken for {instead or 'nothing'}"
+    words = f"{in_words(meant)} taken for {in_words(instead) if instead else 'nothing'}"
     off = element(
         "a", text(words), " ×", class_="chip on", data_part="list",
-        href=address(CaseFilter(**{**wanted.active, "taken": ""})),
+        href=address(replace(wanted, taken="")),
     )  # fmt: skip
     return element("div", off, class_="fs")
 
