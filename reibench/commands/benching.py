@@ -37,7 +37,7 @@ def bench_command(arguments: Namespace) -> int:
         result, show = _bench_cases(arguments.records), _cases_lines
     else:
         result = bench_planner(arguments.model, threads=arguments.threads, steps=arguments.steps)
-        show = _planner_lines
+        show = planner_lines
     for line in [json.dumps(result)] if arguments.json else show(result):
         say(line)
     return 0
@@ -81,7 +81,8 @@ def _world_lines(result: dict[str, Any]) -> list[str]:
     ]
 
 
-def _planner_lines(result: dict[str, Any]) -> list[str]:
+def planner_lines(result: dict[str, Any]) -> list[str]:
+    """Return what was measured of a planner in sentences."""
     theirs = (
         f"guidance.select, evaluating each prompt anew, {result['guidance_seconds_per_step']:.2f} s"
         f" ({result['ratio']} times as long), and with a state mended to keep the examples"

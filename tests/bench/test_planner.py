@@ -2,36 +2,36 @@
 
 import pytest
 
-from reibench.__main__ import main
 from reibench.backends import Prompt, Selection, Usage
 from reibench.backends.llama_cpp import LlamaCpp
 from reibench.bench import published
 from reibench.bench.planner import Asked, bench_planner, tokens_new
+from reibench.commands.benching import planner_lines
 
 MODEL = "gemma-3-270m"
 
 
-@pytest.fixture
-def without_guidance(monkeypatch):
-    """Have one of the needed packages called by a name that is on no machine."""
-    monkeypatch.setattr(published, "NEEDED", ("guidance_that_is_nowhere", "torch"))
+@pytest.fixture(scope="module")
+def measured():
+    """Measure where one of the needed packages is called by a name that is on no machine."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(published, "NEEDED", ("guidance_that_is_nowhere", "torch"))
+        return bench_planner(MODEL, threads=1, steps=2, restarts=1)
 
 
-def test_ours_is_measured_where_guidance_is_not_installed(without_guidance):
-    told = bench_planner(MODEL, threads=1, steps=2, restarts=1)
-    assert told["ratio"] is told["guidance_seconds_per_step"] is None
-    assert "guidance_that_is_nowhere cannot be imported" in told["guidance"]
-    assert 0 < told["warm_seconds_per_step"] < told["first_step_seconds"]
+def test_ours_is_measured_where_guidance_is_not_installed(measured):
+    assert measured["ratio"] is measured["guidance_seconds_per_step"] is None
+    assert "guidance_that_is_nowhere cannot be imported" in measured["guidance"]
+    assert 0 < measured["warm_seconds_per_step"] < measured["first_step_seconds"]
     # the examples are most of a prompt, and evaluated once for all processes
-    assert told["tokens_evaluated_after_restart"] < told["tokens_of_first_prompt"] / 2
-    assert told["tokens_evaluated_per_step"] < 1.5 * told["tokens_new_per_step"]
-    assert told["steps_measured"] == 10
+    assert measured["tokens_evaluated_after_restart"] < measured["tokens_of_first_prompt"] / 2
+    assert measured["tokens_evaluated_per_step"] < 1.5 * measured["tokens_new_per_step"]
+    assert measured["steps_measured"] == 10
 
 
-def test_the_command_says_it_in_sentences(without_guidance, capsys):
-    assert main(["bench", "planner", "--threads", "1", "--steps", "1"]) == 0
-    said = capsys.readouterr().out
-    assert "5 warm steps:" in said
+def test_it_is_said_in_sentences(measured):
+    said = "\n".join(planner_lines(measured))
+    assert "10 warm steps:" in said
     assert "guidance_that_is_nowhere" in said
 
 
