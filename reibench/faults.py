@@ -52,7 +52,7 @@ def fault_kind(record: Record) -> FaultKind | None:
 
 
 def _omission(record: Record) -> Iterator[FaultKind]:
-    if _took_something_else(record):
+    if instead(record):
         yield FaultKind.WRONG_OBJECT
     if _stuck(record):
         yield FaultKind.REPEATED_FAILURE
@@ -76,16 +76,22 @@ def _execution(record: Record) -> Iterator[FaultKind]:
         yield FaultKind.REPEATED_FAILURE
 
 
-def _took_something_else(record: Record) -> bool:
+def instead(record: Record) -> tuple[str, int] | None:
+    """Return the type of what was handled that nobody asked for, and the step that first names it.
+
+    Nothing if there was none.
+    """
     goal = record.episode.task.goal
     mine = {*goal.objects, goal.destination}
     if goal.sliced:
         mine |= {"Knife", "ButterKnife"}
     handling = (Verb.PICK_UP, Verb.PUT_DOWN, Verb.SLICE)
-    handled = {
-        step.decision.skill.object for step in record.steps if step.decision.skill.verb in handling
-    }
-    return any(name in PICKABLE and name not in mine for name in handled)
+    for step in record.steps:
+        name = step.decision.skill.object
+        if step.decision.skill.verb in handling and name in PICKABLE and name not in mine:
+            named = (s.number for s in record.steps if s.decision.skill.object == name)
+            return name, next(named)
+    return None
 
 
 def _tried_for_what_it_omitted(record: Record) -> bool:

@@ -11,7 +11,7 @@ from typing import Any
 
 from reibench.errors import ReibenchError
 from study.enrolment import Enrolment
-from study.flow import Page
+from study.stages import Page
 
 FLAGS = (
     "--no-sandbox", "--disable-gpu", "--disable-background-networking",

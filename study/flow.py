@@ -6,7 +6,7 @@ second tab or a restarted server finds everybody where they were.
 
 import threading
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from datetime import UTC, datetime
 
 from sqlite_utils import Database
@@ -18,9 +18,10 @@ from reibench.sittings import Sittings
 from reibench.store.schema import now
 from reibench.watching import Sitting
 from study.answering import Answers, checked, keep_answers, wrong_answers
-from study.config import Ending, Question, Study, all_episodes
+from study.config import Question, Study, all_episodes
 from study.enrolment import Assignment, Closed, Enrolment, Participant
 from study.stages import (
+    Page,
     Stage,
     after_playing,
     after_quiz,
@@ -36,32 +37,6 @@ from study.stages import (
 )
 
 LOCKS = 64
-
-
-@dataclass(frozen=True)
-class Page:
-    """What a participant is to see now."""
-
-    participant: Participant
-    study: Study
-    stage: Stage
-    place: int = 0
-    """Which practice task or trial, from 0."""
-    sitting: Sitting | None = None
-    """The episode being played; never shown whole, see `study.pages`."""
-    questions: tuple[Question, ...] = ()
-    wrong: tuple[Question, ...] = ()
-    """Those of the quiz that were answered wrongly at the last try."""
-    ending: Ending | None = None
-    code: str = ""
-    """To be given back to whoever sent the participant."""
-    link: str = ""
-    room: str = ""
-    """Where the task was that questions are asked about."""
-    solved: bool | None = None
-    """Whether it was carried out; only where the study reveals it."""
-    seconds_left: float | None = None
-    """Of a trial with a time limit."""
 
 
 class Flow:

@@ -4,7 +4,7 @@ from reibench.household import load_room
 from reibench.skill import in_words
 from reibench.view.markup import element, text
 from study.config import Question
-from study.flow import Page
+from study.stages import Page
 
 
 def button(words: str, what: str, kind: str) -> str:

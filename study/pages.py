@@ -14,8 +14,8 @@ from reibench.view.markup import element, text
 from reibench.view.screens import picker_panel
 from study import view
 from study.enrolment import Enrolment
-from study.flow import Flow, Page
-from study.stages import STAGES, Stage
+from study.flow import Flow
+from study.stages import STAGES, Page, Stage
 
 BUS = """
 window.reiTrigger = (name, data) => trigger(name, data);

@@ -22,9 +22,9 @@ from reibench.worlds.embedded import embedded_world
 from reibench.worlds.rules import rules_called
 from study.config import Question, all_episodes
 from study.enrolment import Enrolment
-from study.flow import Page
 from study.pages import TakingPart
 from study.places import pool_of
+from study.stages import Page
 
 Tell = Callable[[str], object]
 

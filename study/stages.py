@@ -1,12 +1,14 @@
-"""The stages of a study, and how somebody gets from one to another."""
+"""The stages of a study, what is on the page at each, and how somebody gets to the next."""
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Literal
 
 from sqlite_utils import Database
 
 from reibench.errors import StaleStep
 from reibench.store.schema import now
+from reibench.watching import Sitting
 from study.config import Ending, Question, Study
 from study.enrolment import Participant, log
 
@@ -14,6 +16,32 @@ Stage = Literal["consent", "tutorial", "practice", "quiz", "trial", "after", "en
 STAGES: tuple[Stage, ...] = (
     "consent", "tutorial", "practice", "quiz", "trial", "after", "end", "over",
 )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Page:
+    """What a participant is to see now."""
+
+    participant: Participant
+    study: Study
+    stage: Stage
+    place: int = 0
+    """Which practice task or trial, from 0."""
+    sitting: Sitting | None = None
+    """The episode being played; never shown whole, see `study.pages`."""
+    questions: tuple[Question, ...] = ()
+    wrong: tuple[Question, ...] = ()
+    """Those of the quiz that were answered wrongly at the last try."""
+    ending: Ending | None = None
+    code: str = ""
+    """To be given back to whoever sent the participant."""
+    link: str = ""
+    room: str = ""
+    """Where the task was that questions are asked about."""
+    solved: bool | None = None
+    """Whether it was carried out; only where the study reveals it."""
+    seconds_left: float | None = None
+    """Of a trial with a time limit."""
 
 
 def questions_at(study: Study, stage: Stage) -> tuple[Question, ...]:

@@ -11,8 +11,8 @@ from reibench.view.screens import scenes_of
 from reibench.view.steps import announcement, budget, step_list
 from reibench.watching import Sitting
 from study.config import Study
-from study.flow import Page
 from study.forms import button, form
+from study.stages import Page
 
 STEPS = ("Consent", "Practice", "Quiz", "Tasks", "Questions")
 """What the bar calls the stages; people see no others."""

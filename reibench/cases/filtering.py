@@ -9,7 +9,7 @@ from urllib.parse import urlencode
 
 import pandas as pd
 
-from reibench.cases.table import KINDS, LANES, PERSON
+from reibench.cases.table import KINDS
 from reibench.dialogue import LEVELS
 from reibench.episode import TaskType
 
@@ -125,14 +125,9 @@ def _masks(
     if wanted.levels:
         yield "level", cases["level"].isin(wanted.levels)
     if wanted.planner:
-        person = cases["person_id"].notna()
-        yield "planner", person if wanted.planner == PERSON else cases["planner"] == wanted.planner
+        yield "planner", _among(cases["actors"], wanted.planner)
     if wanted.error:
-        failed = pd.Series(False, index=cases.index)
-        for lane in LANES:
-            failed |= cases[f"{lane}_error_kind"] == wanted.error
-            failed |= cases[f"{lane}_fault"] == wanted.error
-        yield "error", failed
+        yield "error", _among(cases["errors"], wanted.error)
     if wanted.taken:
         meant, _, instead = wanted.taken.partition("/")
         yield "taken", (cases["meant"] == meant) & (cases["plain_taken"] == instead)
@@ -146,23 +141,21 @@ def _masks(
 
 
 def _choices(cases: pd.DataFrame, kept: Kept) -> dict[str, pd.Series]:
-    """Return the choices each case counts for, by filter."""
-    first_error = cases["plain_error_kind"].where(
-        cases["plain_error_kind"].notna(), cases["told_error_kind"]
-    )
-    tags = cases["episode_digest"].map(lambda digest: list(kept.tags.get(digest, ())) or "")
-    actors = cases["planner"].where(cases["planner"] != "", "")
+    """Return by filter the choices each case counts for, one or a tuple of several."""
+    tags = cases["episode_digest"].map(lambda digest: tuple(kept.tags.get(digest, ())))
+    single = ("level", "kind", "task_type", "room", "model", "method")
     return {
-        "level": cases["level"],
-        "kind": cases["kind"],
-        "task_type": cases["task_type"],
-        "error": first_error.fillna(""),
-        "room": cases["room"],
-        "planner": actors,
-        "model": cases["model"],
-        "method": cases["method"],
+        **{name: cases[name] for name in single},
+        "planner": cases["actors"],
+        "error": cases["errors"],
         "tag": tags,
     }
+
+
+def _among(several: pd.Series, wanted: str) -> pd.Series:
+    """Return whether a choice is among those of each case."""
+    each = several.explode()
+    return pd.Series(several.index.isin(each.index[each == wanted]), index=several.index)
 
 
 def in_order(name: str, counts: Mapping[str, int]) -> list[str]:

@@ -54,7 +54,8 @@ class Table:
     """One row a case, most telling first.
 
     It has the episode's columns, `title` and `meant`, `planner`, `model`, `method`, `rules`,
-    `kind`, and for each of `LANES` the record's columns, e.g. `plain_status`.
+    `kind`, for each of `LANES` the record's columns, e.g. `plain_status`, and what the case can be
+    found by more than once: its `actors`, and the kinds of failure (`errors`) of its runs.
     """
     hidden: frozenset[str] = frozenset()
     """Ids of records that say nothing of people, e.g. of practice tasks."""
@@ -186,8 +187,8 @@ def cases_of(records: pd.DataFrame, titles: pd.DataFrame) -> pd.DataFrame:
     """Return the cases that records make up, most telling first."""
     if records.empty:
         lanes = [f"{lane}_{name}" for lane in LANES for name in _RUN]
-        columns = [*_EPISODE, *_SETTING, "method", *lanes, "title", "meant", "kind", "order"]
-        return pd.DataFrame(columns=columns)
+        more = ["title", "meant", "kind", "order", "actors", "errors"]
+        return pd.DataFrame(columns=[*_EPISODE, *_SETTING, "method", *lanes, *more])
     key = ["episode_digest", *_SETTING]
     planners = records[records["actor"] != PERSON]
     latest = planners.drop_duplicates([*key, "method"], keep="last")
@@ -229,7 +230,22 @@ def _sorted(cases: pd.DataFrame) -> pd.DataFrame:
     rank += (~failed).astype(int) * 2 + (~solved["person"]).astype(int)
     references = cases["level"].str.partition("-")[0]
     vague = references.map({"implicit": 0, "mixed": 1}).fillna(2)
-    return _in_order(cases.assign(kind=kind, order=(rank * 4 + vague).astype(int)))
+    order = (rank * 4 + vague).astype(int)
+    failures = (cases[f"{lane}_{name}"] for lane in LANES for name in ("error_kind", "fault"))
+    person = there["person"].map({True: PERSON, False: ""})
+    return _in_order(
+        cases.assign(
+            kind=kind, order=order, actors=_each(cases["planner"], person), errors=_each(*failures)
+        )
+    )
+
+
+def _each(first: pd.Series, *others: pd.Series) -> pd.Series:
+    """Return for each row the different values of these columns that are there."""
+    columns = (first, *others)
+    rows = zip(*(column.where(column.notna(), "") for column in columns), strict=True)
+    each = [tuple(dict.fromkeys(filter(None, row))) for row in rows]
+    return pd.Series(each, index=first.index, dtype=object)
 
 
 def _in_order(cases: pd.DataFrame) -> pd.DataFrame:

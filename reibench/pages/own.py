@@ -1,13 +1,13 @@
 """The page where visitors word an episode of their own, and see planners try it."""
 
+from collections.abc import Mapping
+from dataclasses import fields, replace
 from typing import Annotated
 from urllib.parse import urlencode
 
-from fastapi import APIRouter, Form, Request
+from fastapi import APIRouter, Depends, Request
 from fastapi.responses import HTMLResponse, RedirectResponse, Response
-from pydantic import BaseModel
 
-from reibench.episode import TaskType
 from reibench.errors import ReibenchError
 from reibench.household import room_names
 from reibench.own_words import OwnEpisodes, Wording, choices, compose
@@ -21,21 +21,18 @@ MOST = 20_000
 """Characters of a field that are read."""
 
 
-class Filled(BaseModel):
-    """The form's fields as they were sent."""
+FIELDS = tuple(field.name for field in fields(Wording))
 
-    room: str = ""
-    before: str = ""
-    request: str = ""
-    task_type: str = str(TaskType.PICK)
-    object: str = ""
-    destination: str = ""
-    movable: str = ""
-    vague: str = ""
 
-    def wording(self) -> Wording:
-        """Return them, none longer than is read."""
-        return Wording(**{name: value[:MOST] for name, value in self.model_dump().items()})
+def wording(sent: Mapping[str, object]) -> Wording:
+    """Return what was filled in, none of it longer than is read; files and the like are nothing."""
+    known = {name: sent[name] for name in FIELDS if name in sent}
+    kept = {name: value[:MOST] for name, value in known.items() if isinstance(value, str)}
+    return Wording(**({"room": ""} | kept))
+
+
+async def _filled(request: Request) -> Wording:
+    return wording(await request.form())
 
 
 class OwnPages:
@@ -53,11 +50,10 @@ class OwnPages:
 
     def page(self, request: Request) -> HTMLResponse:
         """Show the form; the address may fill it in."""
-        return self._show(Filled(**dict(request.query_params)).wording())
+        return self._show(wording(request.query_params))
 
-    def made(self, filled: Annotated[Filled, Form()]) -> Response:
+    def made(self, said: Annotated[Wording, Depends(_filled)]) -> Response:
         """Keep the episode and lead to where planners try it; or say what is wrong."""
-        said = filled.wording()
         try:
             episode = compose(said)
         except ReibenchError as problem:
@@ -68,7 +64,6 @@ class OwnPages:
 
     def _show(self, said: Wording, trouble: str = "", status: int = 200) -> HTMLResponse:
         room = said.room if said.room in room_names() else FIRST_ROOM
-        shown = Wording(**{**vars(said), "room": room})
-        content = own_words_form(shown, choices(room), trouble=trouble)
+        content = own_words_form(replace(said, room=room), choices(room), trouble=trouble)
         made = document("Your own words", "/own", content, head=HEAD, page="own")
         return HTMLResponse(made, status)

@@ -1,7 +1,9 @@
 """Records make up cases, and the table follows the database."""
 
 import sqlite3
+from time import monotonic, sleep
 
+from reibench.cases import table as tables
 from reibench.cases.table import CaseTable, cases_of
 from tests.cases.conftest import PERSON, SPEC, TOLD
 
@@ -89,6 +91,19 @@ def test_old_records_are_judged_when_they_are_first_listed(table, store, helped)
         database.execute("update records set reason = null, taken = null")
     [case] = table.now().cases.to_dict("records")
     assert "was taken for an apple" in case["plain_reason"]
+
+
+def test_nobody_waits_for_a_large_table_to_be_brought_up_to_date(
+    table, helped, play, episodes, monkeypatch
+):
+    monkeypatch.setattr(tables, "LARGE", 0)
+    before = table.now()
+    play(episodes["pick_keys.mixed-short"], SPEC, "find a sofa")
+    assert table.now() is before
+    deadline = monotonic() + 20
+    while table.now() is before and monotonic() < deadline:
+        sleep(0.02)
+    assert len(table.now().cases) == 2
 
 
 def test_an_empty_database_has_no_cases(table):

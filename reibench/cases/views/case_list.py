@@ -147,8 +147,6 @@ def _kinds(wanted: CaseFilter, found: Found) -> str:
 
 def _choice(name: str, nothing: str, wanted: CaseFilter, found: Found, words: Any) -> str:
     counts, chosen = found.counts[name], getattr(wanted, name)
-    if name == "planner":
-        counts = {**counts, PERSON: int(found.cases["person_id"].notna().sum())}
     values = in_order(name, counts)
     if chosen and chosen not in values:
         values.append(chosen)
@@ -175,7 +173,10 @@ def _errors(wanted: CaseFilter, found: Found) -> str:
         (str(kind), f"{str(kind).replace('-', ' ')} ({counts.get(str(kind), 0)})")
         for kind in ErrorKind
     ]
-    options += [(str(fault), f"– {str(fault).replace('-', ' ')}") for fault in FaultKind]
+    options += [
+        (str(fault), f"– {str(fault).replace('-', ' ')} ({counts.get(str(fault), 0)})")
+        for fault in FaultKind
+    ]
     return select("error", "Kind of failure", options, wanted.error)
 
 
