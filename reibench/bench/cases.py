@@ -1,7 +1,7 @@
 """How fast the case pages answer, with many records in the database."""
 
 import statistics
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -34,48 +34,60 @@ FILTERS = (
 
 def bench_cases(records: int) -> dict[str, Any]:
     """Fill a database with so many records, and time the pages' answers."""
+    with TemporaryDirectory(prefix="reibench-bench-") as folder:
+        store = Store(Path(folder) / "many.db")
+        began = perf_counter()
+        made = _fill(store, records)
+        filled = {
+            "records": made,
+            "steps": store.query("select count(*) as n from steps")[0]["n"],
+            "database_mb": round(store.path.stat().st_size / 1e6),
+            "filling_s": round(perf_counter() - began, 1),
+        }
+        return filled | _timed(store)
+
+
+def _timed(store: Store) -> dict[str, int]:
+    """Return how many milliseconds each kind of page takes to be answered."""
+    ask = _server(store)
+    first = ask("/cases?part=list")
+    changes = [ask(f"/cases?{query}&part=list") for query in FILTERS for _ in range(3)]
+    runs = _some_runs(store)
+    _one_more(store)
+    taken = {
+        "first_list_ms": first,
+        "filter_change_median_ms": statistics.median(changes),
+        "filter_change_most_ms": max(changes),
+        "after_a_new_record_ms": ask("/cases?kind=helps&part=list"),
+        "open_case_ms": ask(f"/cases?runs={runs}&part=case"),
+        "step_ms": ask(f"/cases?runs={runs}&part=at&step=2"),
+        "comparison_ms": ask("/comparison"),
+    }
+    return {name: round(milliseconds) for name, milliseconds in taken.items()}
+
+
+def _server(store: Store) -> Callable[[str], float]:
+    """Serve the pages; return what asks for an address and tells the milliseconds it took."""
     from fastapi import FastAPI
     from fastapi.testclient import TestClient
 
     from reibench.pages.cases import CasePages
     from reibench.pages.comparison import ComparisonPages
 
-    with TemporaryDirectory(prefix="reibench-bench-") as folder:
-        store = Store(Path(folder) / "many.db")
-        began = perf_counter()
-        made = _fill(store, records)
-        filling = perf_counter() - began
-        app = FastAPI()
-        pages = CasePages(store, lambda request: True)
-        app.include_router(pages.router())
-        app.include_router(ComparisonPages(store, pages).router())
-        client = TestClient(app)
+    app = FastAPI()
+    pages = CasePages(store, lambda request: True)
+    app.include_router(pages.router())
+    app.include_router(ComparisonPages(store, pages).router())
+    client = TestClient(app)
 
-        def timed(address: str) -> float:
-            start = perf_counter()
-            answer = client.get(address)
-            taken = 1000 * (perf_counter() - start)
-            answer.raise_for_status()
-            return taken
+    def ask(address: str) -> float:
+        start = perf_counter()
+        answer = client.get(address)
+        taken = 1000 * (perf_counter() - start)
+        answer.raise_for_status()
+        return taken
 
-        first = timed("/cases?part=list")
-        changes = [timed(f"/cases?{query}&part=list") for query in FILTERS for _ in range(3)]
-        runs = _some_runs(store)
-        _one_more(store)
-        after = timed("/cases?kind=helps&part=list")
-        return {
-            "records": made,
-            "steps": store.query("select count(*) as n from steps")[0]["n"],
-            "database_mb": round(store.path.stat().st_size / 1e6),
-            "filling_s": round(filling, 1),
-            "first_list_ms": round(first),
-            "filter_change_median_ms": round(statistics.median(changes)),
-            "filter_change_most_ms": round(max(changes)),
-            "after_a_new_record_ms": round(after),
-            "open_case_ms": round(timed(f"/cases?runs={runs}&part=case")),
-            "step_ms": round(timed(f"/cases?runs={runs}&part=at&step=2")),
-            "comparison_ms": round(timed("/comparison")),
-        }
+    return ask
 
 
 def _fill(store: Store, records: int) -> int:

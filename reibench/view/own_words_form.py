@@ -30,8 +30,26 @@ def own_words_form(said: Wording, there: Choices, *, trouble: str = "") -> str:
         there: what a goal can be made of in the room.
         trouble: what is wrong with it.
     """
-    notice = element("p", text(trouble), class_="notice bad", role="alert") if trouble else ""
-    fields = element(
+    parts = (_said(said, trouble), _goal(said, there))
+    return element(
+        "main",
+        element("form", *parts, method="post", action="/own", class_="ownform", id="own"),
+        _plan(said.room),
+        class_="own",
+        id="content",
+    )
+
+
+def _said(said: Wording, trouble: str) -> str:
+    """Return the fields for the room and what is said in it."""
+    before = element(
+        "textarea", text(said.before), name="before", rows=7, placeholder=EXAMPLES, id="before"
+    )
+    request = element(
+        "textarea", text(said.request), name="request", rows=2, id="request",
+        placeholder="Put the heated one in there, please.",
+    )  # fmt: skip
+    return element(
         "div",
         element("h1", "Your own words"),
         element(
@@ -40,52 +58,42 @@ def own_words_form(said: Wording, there: Choices, *, trouble: str = "") -> str:
             " try: one takes the words as they are, the other first restates them clearly.",
             class_="muted",
         ),
-        notice,
+        element("p", text(trouble), class_="notice bad", role="alert") if trouble else "",
         _labelled("Room", _rooms(said.room)),
         _labelled(
             "Said before",
-            element(
-                "textarea", text(said.before), name="before", rows=7, placeholder=EXAMPLES,
-                id="before",
-            ),
+            before,
             "A turn a line. Begin a line with Human: or Robot:, or they take turns.",
         ),
-        _labelled(
-            "Asked in the end",
-            element(
-                "textarea", text(said.request), name="request", rows=2,
-                placeholder="Put the heated one in there, please.", id="request",
-            ),
-        ),
+        _labelled("Asked in the end", request),
         class_="words",
+    )
+
+
+def _goal(said: Wording, there: Choices) -> str:
+    """Return the fields for what would count as done."""
+    kinds = [(str(kind), kind.label) for kind in there.kinds]
+    holder = _things("movable", there.holders, said.movable)
+    vague = element(
+        "input", type="text", name="vague", value=said.vague, maxlength=300,
+        placeholder="the heated one, it",
     )  # fmt: skip
-    goal = element(
+    private = "Nobody but the page reads this; the planners see only the words."
+    return element(
         "div",
         element("h2", "What would count as done"),
-        element("p", "Nobody but the page reads this; the planners see only the words.",
-                class_="muted small"),
-        _labelled("Kind of task", select("task_type", "Kind of task", [
-            (str(kind), kind.label) for kind in there.kinds], said.task_type)),
+        element("p", private, class_="muted small"),
+        _labelled("Kind of task", select("task_type", "Kind of task", kinds, said.task_type)),
         _labelled("Object that is meant", _things("object", there.objects, said.object)),
-        _labelled(
-            "… put into first", _things("movable", there.holders, said.movable), class_="movable"
-        ),
+        _labelled("… put into first", holder, class_="movable"),
         _labelled("Where it should end", _places(said, there)),
         _labelled(
             "Words that mean the object",
-            element("input", type="text", name="vague", value=said.vague, maxlength=300,
-                    placeholder="the heated one, it"),
+            vague,
             "With commas, as they are above. They are marked on the page; you may leave this out.",
         ),
         element("button", "See both planners try", class_="btn primary big"),
         class_="goal",
-    )  # fmt: skip
-    return element(
-        "main",
-        element("form", fields, goal, method="post", action="/own", class_="ownform", id="own"),
-        _plan(said.room),
-        class_="own",
-        id="content",
     )
 
 

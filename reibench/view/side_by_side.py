@@ -16,7 +16,7 @@ from reibench.view.plan import floor_plan
 from reibench.view.plan_geometry import ASIDE
 from reibench.view.plan_layout import arrange
 from reibench.view.rewrite import told_body, told_heading
-from reibench.view.topbar import episode_chips
+from reibench.view.side_controls import comparison_bar, lead
 from reibench.view.words import sentence
 from reibench.watching import Sitting
 
@@ -49,13 +49,13 @@ def side_by_side(
     running = any(run is not None and run.status is None for run in (left, right))
     over = left is not None and right is not None and not running
     split = first_difference(rows) if left and right else None
-    recorded = left is not None and left.recorded
-    parts = [_head(episode, method, begun=left is not None, running=running, recorded=recorded)]
+    begun, recorded = left is not None, left is not None and left.recorded
+    parts = [comparison_bar(episode, method, begun=begun, running=running, recorded=recorded)]
     if recorded:
-        parts.append(_lead(method))
+        parts.append(lead(method))
     if notice:
         parts.append(element("p", text(notice), class_="notice bad", role="alert"))
-    parts.append(_instructions(episode, right, method, begun=left is not None))
+    parts.append(_instructions(episode, right, method, begun=begun))
     parts.append(
         _stage(left, right, rows, split if over else None, at, (planner, f"{planner} + {method}"))
     )
@@ -65,7 +65,7 @@ def side_by_side(
     return element(
         "section",
         *parts,
-        class_=classes("sbs", running=running, over=over, fresh=left is None),
+        class_=classes("sbs", running=running, over=over, fresh=not begun),
         id="sbs",
         aria_label=f"Without and with {method}",
         data_row=at,
@@ -74,85 +74,11 @@ def side_by_side(
         data_left=left.id if left else "",
         data_right=right.id if right else "",
         data_running="true" if running else "false",
-        data_over="true" if over else "false",
     )
 
 
 def _skills(run: Sitting | None) -> list[Skill]:
     return [step.decision.skill for step in run.steps] if run else []
-
-
-def _head(episode: Episode, method: str, *, begun: bool, running: bool, recorded: bool) -> str:
-    title = element("h2", f"One instruction, without and with {text(method)}")
-    if running:
-        controls = [element("button", "Stop", type="button", class_="btn stop", data_do="stop")]
-    elif not begun:
-        controls = [
-            element("button", "Watch both", type="button", class_="btn primary", data_do="watch")
-        ]
-    else:
-        controls = [
-            _control("first", "M1 1.500h2v9h-2zM11 1.500v9L4 6z", "First step (Home)"),
-            _control("back", "M9.500 1.500v9L2.500 6z", "Back (←)"),
-            element(
-                "button",
-                element("span", "Play"),
-                element("kbd", "Space", class_="hide-m"),
-                type="button",
-                class_="btn primary play",
-                data_do="play",
-            ),
-            _control("forward", "M2.500 1.500v9L9.500 6z", "Forward (→)"),
-            element(
-                "button",
-                "To divergence",
-                element("kbd", "V", class_="hide-m"),
-                type="button",
-                class_="btn",
-                data_do="split",
-            ),
-            element(
-                "button", "Present", element("kbd", "P", class_="hide-m"), type="button",
-                class_="btn hide-m", data_do="present", title="Fill the screen",
-            ),
-        ]  # fmt: skip
-        if not recorded:
-            controls.append(
-                element("button", "Again", type="button", class_="btn quiet", data_do="watch")
-            )
-    leave = "" if recorded else element(
-        "button", "×", type="button", class_="btn icon quiet", data_do="leave",
-        aria_label="Back to acting myself", title="Back (Esc)",
-    )  # fmt: skip
-    chips = episode_chips(episode)
-    return element(
-        "div", title, chips, element("span", class_="grow"), *controls, leave, class_="head"
-    )
-
-
-def _lead(method: str) -> str:
-    """Return what a first visitor should know."""
-    words = (
-        "A language model plans for a household robot. Left, it takes the vague words as they are;"
-        f" right, {method} restates them first. These two runs are recordings."
-    )
-    live = element("button", "Run live", type="button", class_="btn sm", data_do="watch")
-    act = element("button", "Act yourself", type="button", class_="btn sm", data_do="leave")
-    more = element("a", "More cases", href="/cases?kind=helps", class_="btn sm")
-    return element("div", element("p", text(words)), live, act, more, class_="lead")
-
-
-def _control(what: str, shape: str, words: str) -> str:
-    sign = element("path", d=shape, fill="currentColor")
-    return element(
-        "button",
-        element("svg", sign, viewbox="0 0 12 12", width=14, aria_hidden="true"),
-        type="button",
-        class_="btn icon",
-        data_do=what,
-        aria_label=words,
-        title=words,
-    )
 
 
 def _instructions(episode: Episode, right: Sitting | None, method: str, *, begun: bool) -> str:

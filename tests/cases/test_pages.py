@@ -235,13 +235,17 @@ def test_the_gallery_does_not_count(serve, store, helped):
     with store.writing() as database:
         database.execute("update records set origin = 'gallery' where origin = 'run'")
     client = serve()
-    assert "No run is recorded yet" in client.get("/comparison").text
+    alone = client.get("/comparison").text
+    assert "No run is recorded yet" in alone
+    assert "SayCan + TOCC, implicit, noised: published 29.4 %" in alone
+    assert alone.count('class="pub"') == 2 * 9
+    assert 'class="bar-link"' not in alone
     assert listed(client.get("/cases").text) == 1
 
 
 def test_the_published_numbers_can_be_left_out(serve, helped):
     client = serve()
-    assert client.get("/comparison").text.count('class="pub"') == 3
+    assert client.get("/comparison").text.count('class="pub"') == 1 + 2 * 9
     assert client.get("/comparison?paper=0").text.count('class="pub"') == 1  # in the switch
 
 

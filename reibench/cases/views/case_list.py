@@ -44,49 +44,52 @@ def filters(wanted: CaseFilter, found: Found) -> str:
         for name in ("level", "kind", "taken")
         if getattr(wanted, name)
     ]
-    search = element(
-        "div",
-        _GLASS,
-        element(
-            "input", type="search", name="words", value=wanted.words,
-            placeholder="Text, object, tag", autocomplete="off", id="words",
-            aria_label="Search in what is said, objects and tags",
-        ),
-        element("kbd", "/", class_="hide-m"),
-        class_="search",
-    )  # fmt: skip
-    more = [
-        _choice("room", "Any room", wanted, found, room_name),
-        _choice("planner", "Any actor", wanted, found, _actor),
-        _choice("model", "Any model", wanted, found, model_label),
-        _choice("method", "Any method", wanted, found, method_title),
-        _choice("tag", "Any tag", wanted, found, str),
-    ]
-    opened = any(getattr(wanted, n) for n in ("room", "planner", "model", "method", "tag"))
+    first = (
+        _choice("task_type", "All task types", wanted, found, lambda t: TaskType(t).label),
+        _errors(wanted, found),
+    )
     return element(
         "form",
         *inputs,
-        search,
+        _search(wanted),
         _levels(wanted, found),
         _kinds(wanted, found),
-        element(
-            "div",
-            _choice("task_type", "All task types", wanted, found, lambda t: TaskType(t).label),
-            _errors(wanted, found),
-            class_="two",
-        ),
-        element(
-            "details",
-            element("summary", "More filters"),
-            element("div", *more, class_="two"),
-            open=opened,
-        ),
+        element("div", *first, class_="two"),
+        _more(wanted, found),
         element("noscript", element("button", "Apply", class_="btn sm")),
         _taken(wanted),
         class_="filt",
         id="filters",
         action="/cases",
         role="search",
+    )
+
+
+def _search(wanted: CaseFilter) -> str:
+    field = element(
+        "input", type="search", name="words", value=wanted.words, placeholder="Text, object, tag",
+        autocomplete="off", id="words", aria_label="Search in what is said, objects and tags",
+    )  # fmt: skip
+    return element("div", _GLASS, field, element("kbd", "/", class_="hide-m"), class_="search")
+
+
+def _more(wanted: CaseFilter, found: Found) -> str:
+    """Return the filters that are folded while none of them is set."""
+    offered: Mapping[str, tuple[str, Any]] = {
+        "room": ("Any room", room_name),
+        "planner": ("Any actor", _actor),
+        "model": ("Any model", model_label),
+        "method": ("Any method", method_title),
+        "tag": ("Any tag", str),
+    }
+    choices = [
+        _choice(name, nothing, wanted, found, words) for name, (nothing, words) in offered.items()
+    ]
+    return element(
+        "details",
+        element("summary", "More filters"),
+        element("div", *choices, class_="two"),
+        open=any(getattr(wanted, name) for name in offered),
     )
 
 

@@ -32,15 +32,6 @@ def case_view(
         buttons: what can be done with the case, as markup.
         kept: tags and note, as markup.
     """
-    head = element(
-        "div",
-        element("h1", text(case.title)),
-        element("span", level_words(str(case.episode.vagueness)), class_="chip"),
-        element("span", text(room_name(case.episode.task.setup.room)), class_="chip"),
-        element("span", class_="grow"),
-        *buttons,
-        class_="dh",
-    )
     body = element(
         "div",
         element("div", lanes(case, row=row, lane=lane), strip(case), class_="main"),
@@ -52,7 +43,7 @@ def case_view(
     )  # fmt: skip
     return element(
         "article",
-        head,
+        _title(case, buttons),
         kept,
         instructions(case),
         body,
@@ -67,6 +58,15 @@ def case_view(
         data_lane=lane,
         data_split=-1 if case.split is None else case.split,
     )
+
+
+def _title(case: Case, buttons: Sequence[str]) -> str:
+    """Return the goal in one line, its level and room, and what can be done with the case."""
+    level = level_words(str(case.episode.vagueness))
+    room = room_name(case.episode.task.setup.room)
+    chips = (element("span", text(words), class_="chip") for words in (level, room))
+    space = element("span", class_="grow")
+    return element("div", element("h1", text(case.title)), *chips, space, *buttons, class_="dh")
 
 
 def instructions(case: Case) -> str:

@@ -1,7 +1,7 @@
 """Charts as SVG: bars with intervals by level, and differences with intervals."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from reibench.dialogue import CONTEXTS, REFERENCES
 from reibench.view.markup import element, number, text
@@ -19,7 +19,6 @@ class Bar:
     high: float
     episodes: int
     href: str
-    published: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -31,6 +30,8 @@ class Series:
     """Class of its colour and pattern."""
     bars: dict[tuple[str, str], Bar]
     """By context and reference."""
+    published: dict[tuple[str, str], tuple[float, ...]] = field(default_factory=dict)
+    """What the paper has at each level, in per cent; drawn whether or not there is a bar."""
 
 
 def bars(series: Sequence[Series]) -> str:
@@ -60,11 +61,13 @@ def bars(series: Sequence[Series]) -> str:
             )
             start = middle - wide * len(series) / 2
             for index, one in enumerate(series):
-                bar = one.bars.get((context, reference))
-                if bar:
-                    parts.append(
-                        _bar(one, bar, start + index * wide, wide, f"{reference}, {context}")
-                    )
+                level, left_edge = f"{reference}, {context}", start + index * wide
+                if bar := one.bars.get((context, reference)):
+                    parts.append(_bar(one, bar, left_edge, wide, level))
+                parts += [
+                    _published(one, rate, left_edge + wide * 0.86, level)
+                    for rate in one.published.get((context, reference), ())
+                ]
     return element(
         "svg", *parts, class_="chart", viewbox=f"0 0 {WIDTH:.0f} {HEIGHT:.0f}", role="group",
         aria_label="Success by level, in per cent",
@@ -101,24 +104,22 @@ def _bar(one: Series, bar: Bar, x: float, wide: float, level: str) -> str:
     whisker = f"M{m} {high}V{low}M{number(middle - float(cap))} {high}h{number(2 * float(cap))}" + (
         f"M{number(middle - float(cap))} {low}h{number(2 * float(cap))}"
     )
-    marks = [
-        element("path", d=_diamond(middle + wide * 0.36, _y(rate)), class_="pub")
-        for rate in bar.published
-    ]
-    said = f"; published {', '.join(f'{rate:.0f} %' for rate in bar.published)}"
-    title = element("title", text(words + (said if bar.published else "")))
+    title = element("title", text(words))
     hit = element(
         "rect", x=x, y=_TOP, width=wide, height=_FLOOR - _TOP, class_="hit", fill="transparent"
     )
     return element(
         "a", title, hit, body, element("path", d=whisker, class_="case"),
-        element("path", d=whisker, class_="ci"), *marks, href=bar.href, class_="bar-link",
+        element("path", d=whisker, class_="ci"), href=bar.href, class_="bar-link",
         aria_label=words,
     )  # fmt: skip
 
 
-def _diamond(x: float, y: float) -> str:
-    return f"M{number(x)} {number(y - 5.5)}l5.500 5.500l-5.500 5.500l-5.500 -5.500z"
+def _published(one: Series, rate: float, x: float, level: str) -> str:
+    """Return the paper's number as a hollow diamond."""
+    shape = f"M{number(x)} {number(_y(rate) - 5.5)}l5.500 5.500l-5.500 5.500l-5.500 -5.500z"
+    title = element("title", text(f"{one.title}, {level}: published {rate:.1f} %"))
+    return element("g", title, element("path", d=shape, class_="pub"))
 
 
 @dataclass(frozen=True)

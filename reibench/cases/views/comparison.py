@@ -2,13 +2,14 @@
 
 from collections.abc import Mapping, Sequence
 from typing import Any
-from urllib.parse import urlencode
 
 from reibench.cases.comparing import LEVELS, PEOPLE, Comparison, Contestant, Difference, published
 from reibench.cases.filtering import CaseFilter
 from reibench.cases.views.case_list import address
 from reibench.cases.views.charts import Bar, Point, Series, bars, differences
+from reibench.cases.views.comparison_head import comparison_head
 from reibench.dialogue import REFERENCES
+from reibench.published import PLANNER
 from reibench.skill import in_words
 from reibench.view.markup import classes, element, text
 
@@ -42,99 +43,13 @@ def comparison_view(shown: Comparison, known: Sequence[Contestant], *, paper: bo
         paper: whether the published numbers are marked.
     """
     looks = look_of(shown.chosen)
-    head = _head(shown.chosen, known, looks, paper=paper)
+    head = comparison_head(shown.chosen, known, looks, paper=paper)
     if not shown.chosen:
-        words = (
-            "No run is recorded yet that could be compared. The command run plays episodes; what is"
-            " in the gallery was chosen and does not count."
-        )
-        return head + element("section", element("p", text(words), class_="empty"), class_="panel")
+        return head + _paper_alone()
     small = element(
         "div", _errors(shown), _differences(shown, looks), _confusions(shown), class_="three"
     )
     return head + _levels(shown, looks, paper=paper) + small
-
-
-def link(runs: Sequence[str], *, paper: bool, path: str = "/comparison") -> str:
-    """Return the address of a comparison of these runs."""
-    query = urlencode({"runs": ",".join(runs)} | ({} if paper else {"paper": "0"}))
-    return f"{path}?{query}"
-
-
-def _head(
-    chosen: Sequence[Contestant],
-    known: Sequence[Contestant],
-    looks: Mapping[str, str],
-    *,
-    paper: bool,
-) -> str:
-    runs = [one.run for one in chosen]
-    chips = []
-    for one in chosen:
-        less = [run for run in runs if run != one.run]
-        off = element(
-            "a", "×", href=link(less, paper=paper), aria_label=f"Leave out {one.title}",
-            title="Leave out",
-        )  # fmt: skip
-        chips.append(
-            element(
-                "span",
-                element("i", class_=looks[one.run]),
-                text(one.title),
-                element("small", text(one.subtitle)),
-                off if less else "",
-                class_="run",
-            )
-        )
-    shape = element("path", class_="pub", d="M6 1l5 5l-5 5l-5 -5z")
-    diamond = element("svg", shape, viewbox="0 0 12 12", aria_hidden="true")
-    if any(published(one, *level[::-1]) for one in chosen for level in LEVELS):
-        words = "Published" if paper else "Show published"
-        chips.append(
-            element(
-                "a",
-                diamond,
-                words,
-                element("small", "LLaMA3.1-8B, from the paper"),
-                href=link(runs, paper=not paper),
-                class_=classes("run", off=not paper),
-            )
-        )
-    others = [one for one in known if one.run not in runs]
-    more = ""
-    if others:
-        options = [
-            element(
-                "li",
-                element(
-                    "a",
-                    element("b", text(one.title)),
-                    " ",
-                    element("small", text(one.subtitle)),
-                    href=link([*runs, one.run], paper=paper),
-                ),
-            )
-            for one in others
-        ]
-        more = element(
-            "details", element("summary", "Add runs", class_="btn sm"),
-            element("ul", *options, class_="menu"), class_="export",
-        )  # fmt: skip
-    files = element(
-        "details", element("summary", "Figure ▾", class_="btn sm"),
-        element("ul", *(
-            element("li", element("a", form.upper(),
-                                  href=link(runs, paper=paper, path=f"/comparison/figure.{form}")))
-            for form in ("svg", "pdf", "png")
-        ), class_="menu"), class_="export right",
-    )  # fmt: skip
-    data = element(
-        "a", "Data", href=link(runs, paper=paper, path="/comparison/data.csv"), class_="btn sm"
-    )
-    return element(
-        "div", element("h1", "Comparison"), *chips, more, element("span", class_="grow"),
-        files if runs else "", data if runs else "", class_="runs",
-    )  # fmt: skip
 
 
 def _cases(one: Contestant, **wanted: str) -> str:
@@ -159,9 +74,8 @@ def _levels(shown: Comparison, looks: Mapping[str, str], *, paper: bool) -> str:
                 high=100 * row["success_high"],
                 episodes=int(row["episodes"]),
                 href=_cases(one, level=f"{reference}-{context}"),
-                published=published(one, reference, context) if paper else (),
             )
-        series.append(Series(one.title, looks[one.run], found))
+        series.append(Series(one.title, looks[one.run], found, _published(one) if paper else {}))
     head = element(
         "header", element("h2", "Success by level, %"),
         element("span", "95 % Wilson intervals. Choose a bar to open its cases.",
@@ -170,6 +84,35 @@ def _levels(shown: Comparison, looks: Mapping[str, str], *, paper: bool) -> str:
     return element(
         "section", head, element("div", bars(series), class_="bd"), class_="panel levels"
     )
+
+
+def _published(one: Contestant) -> dict[tuple[str, str], tuple[float, ...]]:
+    return {level: published(one, level[1], level[0]) for level in LEVELS}
+
+
+def _paper_alone() -> str:
+    """Return what there is before any run: the paper's numbers, and how to get one's own."""
+    both = [Contestant("", PLANNER, method, "", "", 0) for method in ("none", "tocc")]
+    series = [Series(one.title, "", {}, _published(one)) for one in both]
+    head = element(
+        "header", element("h2", "Success by level, %"),
+        element("span", "Published: SayCan (left) and SayCan + TOCC (right), LLaMA3.1-8B, from the"
+                " paper.", class_="xs muted"),
+    )  # fmt: skip
+    words = (
+        "No run is recorded yet that could be set beside them. To play some, with the default"
+        " model, which needs nothing to be fetched:"
+    )
+    command = "python -m reibench run --episodes pilot-54 --method none,tocc-taught"
+    told = element(
+        "div", element("p", text(words)), element("code", command),
+        element("p", "What is in the gallery was chosen to show what happens, and does not count:"
+                " it is among the ", element("a", "cases", href="/cases"), "."),
+        class_="empty",
+    )  # fmt: skip
+    drawn = element("div", bars(series), class_="bd")
+    levels = element("section", head, drawn, class_="panel levels")
+    return levels + element("section", told, class_="panel")
 
 
 def _errors(shown: Comparison) -> str:
