@@ -23,6 +23,8 @@ from reibench.view.choices import method_title, planner_title
 PEOPLE = "people"
 MOST_RUNS = 6
 LEVELS = [(context, reference) for context in CONTEXTS for reference in REFERENCES]
+OTHERS = "*"
+"""Stands for all that was taken too seldom for a column of its own."""
 CONFUSED = 8
 """How many meant objects the matrix shows, the most confused first."""
 
@@ -113,8 +115,8 @@ class Comparison:
     def confusions(self, run: str) -> tuple[list[str], list[str], dict[tuple[str, str], int]]:
         """Return what was meant, what was taken for it, and how often, of one run.
 
-        Objects in the order of how often they were taken for something else; nothing taken is the
-        empty name, and comes last.
+        Objects in the order of how often they were taken for something else; what is seldom taken
+        is counted as `OTHERS`; nothing taken is the empty name, and comes last.
         """
         mine = self.records[(self.records["run"] == run) & self.records["taken"].notna()]
         counted = Counter(zip(mine["meant"], mine["taken"], strict=True))
@@ -127,8 +129,14 @@ class Comparison:
         for (meant, taken), number in pairs.items():
             if meant in rows and taken not in rows and taken:
                 instead[taken] = instead.get(taken, 0) + number
-        others = sorted(instead, key=lambda name: (-instead[name], name))[: CONFUSED // 2]
-        return rows, [*rows, *others, ""], pairs
+        others = sorted(instead, key=lambda name: (-instead[name], name))
+        columns = [*rows, *others[: CONFUSED // 2]]
+        left = set(others[CONFUSED // 2 :])
+        if left:
+            columns.append(OTHERS)
+            for meant in rows:
+                pairs[meant, OTHERS] = sum(pairs.get((meant, taken), 0) for taken in left)
+        return rows, [*columns, ""], pairs
 
 
 def _difference(name: str, pairs: pd.DataFrame) -> Difference:

@@ -5,10 +5,13 @@ import io
 import json
 import re
 
+import pandas as pd
 import pytest
 from fastapi import FastAPI
 from fastapi.testclient import TestClient
 
+from reibench.cases.comparing import Comparison, Contestant
+from reibench.cases.views.comparison import look_of
 from reibench.pages.cases import CasePages
 from reibench.pages.comparison import ComparisonPages
 from tests.cases.conftest import PERSON, SPEC, TOLD
@@ -247,6 +250,27 @@ def test_the_published_numbers_can_be_left_out(serve, helped):
     client = serve()
     assert client.get("/comparison").text.count('class="pub"') == 1 + 2 * 9
     assert client.get("/comparison?paper=0").text.count('class="pub"') == 1  # in the switch
+
+
+def test_every_thing_that_was_taken_is_in_the_matrix():
+    taken = [f"Thing{number}" for number in range(9)]
+    records = pd.DataFrame({"run": "a", "meant": "Potato", "taken": [*taken, "Potato", ""]})
+    found = Comparison(records, [Contestant("a", "saycan", "none", "m", "strict", 11)])
+    rows, columns, counts = found.confusions("a")
+    assert rows == ["Potato"]
+    assert sum(counts.get(("Potato", column), 0) for column in columns) == len(records)
+
+
+def test_blue_is_the_run_with_tocc_whatever_else_is_shown():
+    def one(run, method):
+        return Contestant(run, "saycan", method, "m", "strict", 1)
+
+    chosen = [one("a", "none"), one("b", "ap"), one("c", "tocc"), one("d", "none"), one("e", "icl")]
+    looks = look_of(chosen)
+    assert (looks["a"], looks["c"]) == ("c-plain", "c-tocc")
+    assert len(set(looks.values())) == len(chosen)
+    six = [one(str(number), "ap") for number in range(6)]
+    assert len(set(look_of(six).values())) == 6
 
 
 def test_the_comparison_can_be_had_as_a_figure(serve, helped):

@@ -3,7 +3,15 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from reibench.cases.comparing import LEVELS, PEOPLE, Comparison, Contestant, Difference, published
+from reibench.cases.comparing import (
+    LEVELS,
+    OTHERS,
+    PEOPLE,
+    Comparison,
+    Contestant,
+    Difference,
+    published,
+)
 from reibench.cases.filtering import CaseFilter
 from reibench.cases.views.case_list import address
 from reibench.cases.views.charts import Bar, Point, Series, bars, differences
@@ -19,7 +27,7 @@ ERRORS = (("success", "k-s"), ("object_omission", "k-o"), ("execution_error", "k
 
 
 def look_of(chosen: Sequence[Contestant]) -> dict[str, str]:
-    """Return the look of each contestant: people ink, the first plain run grey, others in turn."""
+    """Return each one's look: people ink, the first plain run grey, the first TOCC blue."""
     free = list(LOOKS)
     looks = {}
     for one in chosen:
@@ -27,10 +35,12 @@ def look_of(chosen: Sequence[Contestant]) -> dict[str, str]:
             looks[one.run] = "c-person"
         elif one.method == "none" and "c-plain" in free:
             looks[one.run] = free.pop(free.index("c-plain"))
-        elif one.method != "none" and "c-tocc" in free:
+        elif one.method.startswith("tocc") and "c-tocc" in free:
             looks[one.run] = free.pop(free.index("c-tocc"))
         else:
-            looks[one.run] = free.pop(next(n for n, f in enumerate(free) if f not in LOOKS[:2]))
+            looks[one.run] = free.pop(
+                next((n for n, f in enumerate(free) if f not in LOOKS[:2]), 0)
+            )
     return looks
 
 
@@ -226,12 +236,17 @@ def _confusions(shown: Comparison) -> str:
 
 
 def _name(object_type: str) -> str:
+    if object_type == OTHERS:
+        return "others"
     return in_words(object_type) if object_type else "none"
 
 
 def _cell(of: Contestant, meant: str, taken: str, count: int, most: int) -> str:
     if not count:
         return element("span", class_="mc")
+    if taken == OTHERS:
+        words = f"{_name(meant)} taken for something else: {count}"
+        return element("span", str(count), class_="mc wrong", style="--p:10%", title=words)
     right = meant == taken
     share = round(8 + 40 * count / most)
     words = (
