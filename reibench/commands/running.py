@@ -129,15 +129,18 @@ def _alone(spec: RunSpec, store: Store) -> Iterator[None]:
 
 
 def _run(shares: list[Share], store: Store, staff: Staff) -> None:
-    with ending_at_the_second(tell), closing(Conductor(shares, staff)) as conductor:
-        progress = Progress(shares, staff.workers)
-        for line in progress.opening():
-            tell(line)
-        try:
-            with closing(conductor.perform(store, tell)) as outcomes:
-                for spec, record, seconds in outcomes:
-                    for line in progress.note(spec, record, seconds):
-                        tell(line)
-        finally:
-            if progress.total:
-                tell(progress.closing())
+    progress = Progress(shares, staff.workers)
+    for line in progress.opening():
+        tell(line)
+    try:
+        with (
+            ending_at_the_second(tell),
+            closing(Conductor(shares, staff)) as conductor,
+            closing(conductor.perform(store, tell)) as outcomes,
+        ):
+            for spec, record, seconds in outcomes:
+                for line in progress.note(spec, record, seconds):
+                    tell(line)
+    finally:  # told after Ctrl-C was answered
+        if progress.total:
+            tell(progress.closing())

@@ -26,12 +26,14 @@ def ending_at_the_second(announce: Announce) -> Iterator[None]:
     heard, told = socket.socketpair()
     told.setblocking(False)
     before = signal.set_wakeup_fd(told.fileno(), warn_on_full_buffer=False)
-    threading.Thread(target=_listen, args=(heard, announce), daemon=True).start()
+    listener = threading.Thread(target=_listen, args=(heard, announce), daemon=True)
+    listener.start()
     try:
         yield
     finally:
         signal.set_wakeup_fd(before)
         told.close()
+        listener.join(1)  # so that what it has to say comes before what is said of the end
 
 
 def _listen(heard: socket.socket, announce: Announce) -> None:

@@ -79,6 +79,18 @@ def test_recorded_runs_are_walked_through_and_presented(visit):
     expect(demo.page.locator("#bar")).to_be_visible()
 
 
+def test_keys_pressed_faster_than_the_server_answers_are_not_lost(visit):
+    demo = visit()
+    demo.page.keyboard.press("Home")
+    expect(demo.page.locator("#sbs")).to_have_attribute("data-row", "0")
+    for key in ("ArrowRight", "ArrowRight", "ArrowRight", "ArrowLeft"):
+        demo.page.keyboard.press(key)
+    expect(demo.page.locator("html")).not_to_have_class(re.compile("busy"))
+    expect(demo.page.locator("#sbs .ln.here").first).to_have_attribute("data-row", "2")
+    expect(demo.page.locator("#sbs")).to_have_attribute("data-row", "2")
+    expect(demo.page.locator("#sbs .rooms, #sbs figure").first).to_contain_text("Step 3")
+
+
 def test_the_keyboard_alone_walks_through_a_case(look):
     cases = look("/cases?kind=helps")
     page = cases.page

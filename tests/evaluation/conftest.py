@@ -26,10 +26,11 @@ class Run:
             sys.executable, "-m", "reibench", "run", "--db", str(database), "--json",
             "--planner", "troubled", *options,
         ]  # fmt: skip
+        self._mark = Path(f"{database}.mark")
         self.environment = os.environ | {
             "PYTHONPATH": os.pathsep.join((str(TROUBLED), str(ROOT))),
             "TROUBLE": trouble,
-            "TROUBLE_MARK": f"{database}.mark",
+            "TROUBLE_MARK": str(self._mark),
         }
         self.process = None
 
@@ -51,6 +52,13 @@ class Run:
             timeout=120,
         )  # fmt: skip
         return done.returncode, json.loads(done.stdout or "[]"), done.stderr
+
+    def hangs(self):
+        """Wait until its planner hangs."""
+        limit = time.monotonic() + 60
+        while not self._mark.exists():
+            assert time.monotonic() < limit, "the planner did not come to hang"
+            time.sleep(0.02)
 
     @property
     def records(self):

@@ -38,6 +38,13 @@ def test_ctrl_c_keeps_what_was_done_and_the_same_command_goes_on(troubled, worke
     assert f"20 episodes, {len(finished)} finished before" in said
 
 
+def test_a_ctrl_c_is_answered_before_the_end_is_told(troubled):
+    run = troubled("*=slow", *CHOICE)
+    _, said = interrupt(run, "[2/")
+    answer, end = "Stopping; Ctrl-C once more", "episodes recorded in"
+    assert 0 <= said.find(answer) < said.find(end)
+
+
 def test_a_run_that_is_killed_leaves_no_process_behind(troubled):
     run = troubled("*=slow", *CHOICE, "--workers", "3")
     for line in run.start():
@@ -56,9 +63,7 @@ def test_a_second_ctrl_c_ends_even_what_hangs_in_foreign_code(troubled):
     for line in lines:
         if line.startswith("troubled: 20 episodes"):
             break
-    store_begun = lambda: any(record["steps"] for record in run.records)  # noqa: E731
-    while not store_begun():
-        pass
+    run.hangs()
     os.killpg(run.process.pid, signal.SIGINT)
     assert lines.readline() == "Stopping; Ctrl-C once more stops at once.\n"
     assert run.process.poll() is None

@@ -5,6 +5,7 @@ import { onChange } from "./page.js";
 const PACE = 1100; // ms a row
 let playing = 0;
 let paused = false; // at the first difference, once
+let wanted = null; // the row asked for while an answer was still to come
 
 const stage = () => document.querySelector("#sbs");
 const at = () => Number(stage()?.dataset.row ?? 0);
@@ -14,11 +15,29 @@ const split = () => Number(stage()?.dataset.split ?? -1);
 function go(row) {
   const view = stage();
   const target = Math.min(Math.max(row, 0), rows() - 1);
-  if (!view || target === at() || isBusy()) return;
-  view.dataset.row = target;
+  if (!view || target === at()) return;
+  mark(view, target);
+  if (isBusy()) wanted = target;
+  else ask(view, target);
+}
+
+function mark(view, row) {
+  view.dataset.row = row;
   for (const cell of view.querySelectorAll(".ln[data-row]"))
-    cell.classList.toggle("here", Number(cell.dataset.row) === target);
-  send("row", { row: target, left: view.dataset.left, right: view.dataset.right });
+    cell.classList.toggle("here", Number(cell.dataset.row) === row);
+}
+
+const ask = (view, row) =>
+  send("row", { row, left: view.dataset.left, right: view.dataset.right });
+
+/** Go where keys pressed during the last answer asked to: only the last of them counts. */
+function catchUp(view) {
+  if (wanted === null || isBusy()) return;
+  const row = Math.min(wanted, rows() - 1);
+  wanted = null;
+  if (!view || row === at()) return;
+  mark(view, row);
+  ask(view, row);
 }
 
 function stop() {
@@ -153,6 +172,7 @@ document.addEventListener("scroll", (event) => {
 let seen = null;
 onChange(() => {
   const view = stage();
+  catchUp(view);
   if (!view && root.dataset.present === "on") present();
   showVotes();
   view?.classList.toggle("ended", at() >= rows() - 1);

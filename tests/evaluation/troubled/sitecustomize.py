@@ -49,4 +49,7 @@ class Troubled:
             # a lock taken twice in C code: no signal gets Python out of it
             library, lock = ctypes.CDLL(None), ctypes.create_string_buffer(256)
             library.pthread_mutex_lock(lock)
+            # until the second call, Ctrl-C would still end Python as usual
+            signal.signal(signal.SIGINT, lambda *_: None)
+            Path(os.environ["TROUBLE_MARK"]).touch()
             library.pthread_mutex_lock(lock)
