@@ -129,18 +129,16 @@ def _alone(spec: RunSpec, store: Store) -> Iterator[None]:
 
 
 def _run(shares: list[Share], store: Store, staff: Staff) -> None:
-    progress = Progress(shares, staff.workers)
-    for line in progress.opening():
-        tell(line)
+    progress = None
     try:
-        with (
-            ending_at_the_second(tell),
-            closing(Conductor(shares, staff)) as conductor,
-            closing(conductor.perform(store, tell)) as outcomes,
-        ):
-            for spec, record, seconds in outcomes:
-                for line in progress.note(spec, record, seconds):
-                    tell(line)
+        with ending_at_the_second(tell), closing(Conductor(shares, staff)) as conductor:
+            progress = Progress(shares, staff.workers)
+            for line in progress.opening():
+                tell(line)
+            with closing(conductor.perform(store, tell)) as outcomes:
+                for spec, record, seconds in outcomes:
+                    for line in progress.note(spec, record, seconds):
+                        tell(line)
     finally:  # told after Ctrl-C was answered
-        if progress.total:
+        if progress and progress.total:
             tell(progress.closing())
