@@ -26,6 +26,9 @@ from reibench.worlds import World, worlds
 # Rooms that happen to have been imported on this machine are none of the tests' business.
 os.environ["REIBENCH_ROOMS"] = str(Path(__file__).parent / "no-imported-rooms")
 # Nor are prefixes that models have evaluated here before.
+# Two test processes that each compute on every core mostly wait for each other.
+if "PYTEST_XDIST_WORKER" in os.environ:
+    os.environ.setdefault("OMP_NUM_THREADS", "1")
 CACHE = tempfile.TemporaryDirectory(prefix="reibench-cache-")
 os.environ["REIBENCH_CACHE"] = CACHE.name
 SHARED = Path(os.environ.get("REIBENCH_SHARED", Path(__file__).parents[1] / ".." / "shared"))

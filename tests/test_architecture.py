@@ -16,7 +16,7 @@ ONLY_IN = {
     "torch": ("reibench/backends/transformers/", "reibench/bench/published.py", TRAINING),
     "transformers": ("reibench/backends/transformers/", "reibench/bench/published.py"),
     "peft": (TRAINING,),
-    "gguf": ("reibench/tuning/lora_file.py",),
+    "gguf": ("reibench/tuning/lora_file.py", "reibench/backends/transformers/"),
     "llguidance": ("reibench/backends/transformers/",),
     "guidance": ("reibench/bench/published.py",),
     "openai": ("reibench/backends/openai.py",),

@@ -99,7 +99,7 @@ def teach(recipe: Recipe, folder: Path, tell: Told, base: "Loaded | None" = None
     tell(f"Making {recipe.lessons} lessons for the {recipe.kind} …")
     made = lessons_of(recipe)
     if base is None:
-        tell(f"Opening {BASE} (reading a GGUF file with torch takes a minute) …")
+        tell(f"Opening {BASE} …")
     loaded = base or load(Source(BASE, dtype="float32", device="cpu"))
     coded, allowed = coding.coded(made, loaded.tokenizer)
     trainer = Trainer(loaded.model, coded, allowed, recipe, folder)

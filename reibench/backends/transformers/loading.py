@@ -8,6 +8,7 @@ from time import perf_counter
 from typing import Any
 
 from reibench import models
+from reibench.backends.transformers.gguf_once import gguf_read_once
 from reibench.backends.transformers.source import Source
 from reibench.errors import ModelUnavailable, unknown
 
@@ -44,12 +45,13 @@ def load(source: Source) -> Loaded:
     started = perf_counter()
     try:
         quantized = None
-        if not source.file:  # reading a GGUF file takes long, and its weights are unpacked anyway
+        if not source.file:  # a GGUF file's weights are unpacked anyway
             config = transformers.AutoConfig.from_pretrained(where, **arguments)
             quantized = getattr(config, "quantization_config", None)
-        tokenizer = transformers.AutoTokenizer.from_pretrained(where, **arguments)
-        arguments |= _how(source, device, quantized)
-        model = transformers.AutoModelForCausalLM.from_pretrained(where, **arguments)
+        with gguf_read_once():
+            tokenizer = transformers.AutoTokenizer.from_pretrained(where, **arguments)
+            arguments |= _how(source, device, quantized)
+            model = transformers.AutoModelForCausalLM.from_pretrained(where, **arguments)
         if source.quantization == "none":
             model.to(device)
     except torch.OutOfMemoryError as error:
