@@ -1,5 +1,5 @@
 // The picker: all skills in the browser, found by any part of any word.
-import { send, isBusy } from "./bus.js";
+import { isBusy, noteAnswer, send } from "./bus.js";
 import { isField, onChange, run } from "./page.js";
 
 const ARTICLES = new Set(["a", "an", "the"]);
@@ -166,10 +166,20 @@ function dimPlan(types) {
   }
 }
 
-/** Carry out a skill, unless a step is under way or the episode is over. */
+let early = null; // what was chosen while an answer was still to come
+
+/**
+ * Carry out a skill, unless the episode is over. What is chosen before the last answer is there is
+ * done after it, but only if that changed nothing: nobody acts on a room they have not seen.
+ */
 export function carryOut(text) {
   const { sitting, expected, over } = run();
-  if (!sitting || over || isBusy()) return;
+  if (!sitting || over) return;
+  noteAnswer(); // it may have come since the last frame
+  if (isBusy()) {
+    early = { text, sitting, expected };
+    return;
+  }
   const input = field();
   if (input) {
     input.value = `${text} …`;
@@ -252,10 +262,19 @@ document.addEventListener("click", (event) => {
   }
 });
 
+function catchUp({ sitting, expected }) {
+  if (!early || isBusy()) return;
+  const { text } = early;
+  const same = early.sitting === sitting && early.expected === expected;
+  early = null;
+  if (same) carryOut(text);
+}
+
 let last = "";
 onChange(() => {
   const box = pick();
   const { sitting, expected, over } = run();
+  catchUp(run());
   if (!box) return;
   document.documentElement.classList.toggle("closed", Boolean(over));
   const now = `${sitting}/${expected}/${over}/${document.querySelector("[data-reply]")?.dataset.reply}/${source === box.dataset.skills}`;
