@@ -5,7 +5,7 @@ import json
 import re
 from collections.abc import Iterator, Sequence
 from contextlib import closing
-from dataclasses import dataclass, field
+from dataclasses import astuple, dataclass, field
 
 from reibench.dataset.files import digest, episode_from_json, episode_to_json
 from reibench.dataset.forms import named_form, names
@@ -100,9 +100,8 @@ def compose(said: Wording) -> Episode:
     goal = _goal(said, choices(said.room))
     dialogue = _dialogue(said, goal)
     number = hashlib.sha256(
-        json.dumps(
-            [said.room, str(goal), [(u.speaker, u.text) for u in dialogue.utterances]]
-        ).encode()
+        # with what is marked: who mends only that has made another episode
+        json.dumps([said.room, str(goal), [astuple(u) for u in dialogue.utterances]]).encode()
     ).hexdigest()[:10]
     task = Task(f"{PREFIX}{number}", SceneSetup(said.room, int(number[:3], 16) % 1000), goal)
     episode = Episode(task, dialogue, _vagueness(dialogue, goal), origin="own words")
@@ -196,19 +195,20 @@ def _found(words: str, text: str) -> list[re.Match[str]]:
 
 def _marked(turn: Utterance, goal: Goal, vague: Sequence[str]) -> Utterance:
     """Return a turn with the expressions that are known to mean something of the goal."""
-    found = [
-        ReferringExpression(m.start(), m.end(), m[0], goal.object, "definite", explicit=False)
-        for words in vague
-        for m in _found(words, turn.text)
-    ]
+    found: list[ReferringExpression] = []
+
+    def mark(m: re.Match[str], name: str, form: str, *, explicit: bool) -> None:
+        if not any(one.start < m.end() and m.start() < one.end for one in found):
+            found.append(ReferringExpression(m.start(), m.end(), m[0], name, form, explicit))
+
+    # of words within others the longer ones are marked
+    for words in sorted(vague, key=len, reverse=True):
+        for m in _found(words, turn.text):
+            mark(m, goal.object, "definite", explicit=False)
     for name in filter(None, (goal.object, goal.movable_receptacle)):
         for word in names()[name].words if name in names() else ():
             for m in _found(word, turn.text):
-                if not any(one.start < m.end() and m.start() < one.end for one in found):
-                    form = named_form(m[0], name)
-                    found.append(
-                        ReferringExpression(m.start(), m.end(), m[0], name, form, explicit=True)
-                    )
+                mark(m, name, named_form(m[0], name), explicit=True)
     found.sort(key=lambda one: one.start)
     return Utterance(turn.speaker, turn.text, tuple(found))
 

@@ -75,6 +75,27 @@ def test_the_words_that_mean_the_object_are_marked_and_names_are_found():
     assert {e.referent for e in last.expressions} == {"Apple"}
 
 
+def test_of_words_within_others_the_longer_ones_are_marked():
+    said = replace(SAID, request="Put the round red thing in there, the red thing.")
+    for vague in ("red thing, the round red thing, red thing", "the round red thing, red thing"):
+        marked = compose(replace(said, vague=vague)).dialogue.instruction.expressions
+        assert [one.text for one in marked] == ["the round red thing", "red thing"]
+    nested = compose(replace(said, vague="thing, the red thing")).dialogue.instruction.expressions
+    assert [one.text for one in nested] == ["thing", "the red thing"]
+
+
+def test_who_mends_only_the_words_that_are_meant_sees_them_marked(store):
+    own = OwnEpisodes(store)
+    first, mended = compose(replace(SAID, vague="")), compose(SAID)
+    assert compose(replace(SAID, vague="it, the round red thing")).id == mended.id
+    for episode in (first, mended):
+        own.keep(episode)
+        assert own.find(episode.id) == episode
+    kept = store.query("select digest from episodes order by digest")
+    linked = store.query("select episode_digest as digest from own_episodes order by digest")
+    assert kept == linked
+
+
 def test_how_vague_it_is_follows_from_where_the_object_is_named():
     assert compose(SAID).vagueness == Vagueness("implicit", "short")
     named = replace(SAID, before="A.\nB.\nThe apple.")

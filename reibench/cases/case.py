@@ -18,7 +18,7 @@ from reibench.view.alignment import Places, align_many, divides
 Lane = Literal["person", "plain", "told"]
 MOST_RUNS = len(LANES)
 KEPT = 96
-"""Records kept in memory: finished ones never change."""
+"""Records kept in memory: a finished one changes only when its run tries it again."""
 
 
 @dataclass(frozen=True)
@@ -109,7 +109,7 @@ class Cases:
 
     def __init__(self, store: Store) -> None:
         self._store = store
-        self._record = lru_cache(maxsize=KEPT)(store.record)
+        self._record = lru_cache(maxsize=KEPT)(self._read)
 
     def open(self, run_ids: Sequence[str]) -> Case:
         """Return the case these records make up.
@@ -126,10 +126,15 @@ class Cases:
             raise ReibenchError("These runs are of different episodes; a case is of one.")
         return Case(runs[0].record.episode, digests.pop(), tuple(runs))
 
+    def _read(self, record_id: str, attempts: int, finished: str) -> Record:
+        """Read a record; which attempt it is, and when that ended, only tell it from others."""
+        return self._store.record(record_id)
+
     def _run(self, record_id: str) -> Run:
         rows = self._store.query(
-            "select records.actor, status, planner, method, model, records.rules, max_steps, origin"
-            " from records join runs on runs.id = run where records.id = ?",
+            "select records.actor, status, planner, method, model, records.rules, max_steps,"
+            " origin, attempts, finished from records join runs on runs.id = run"
+            " where records.id = ?",
             [record_id],
         )
         if not rows:
@@ -140,7 +145,7 @@ class Cases:
         person = row["actor"] == PERSON
         lane: Lane = "person" if person else "plain" if row["method"] == "none" else "told"
         return Run(
-            record=self._record(record_id),
+            record=self._record(record_id, row["attempts"], row["finished"]),
             lane=lane,
             planner="" if person else row["planner"],
             method="" if person else row["method"],

@@ -49,6 +49,11 @@ class Contestant:
         return planner if self.method == "none" else f"{planner} + {method_title(self.method)}"
 
     @property
+    def lane(self) -> str:
+        """Which of a case's `LANES` its records stand in."""
+        return PERSON if self.run == PEOPLE else "plain" if self.method == "none" else "told"
+
+    @property
     def short(self) -> str:
         """What tells it from runs of the same planner: its method, `plain` without one."""
         if self.run == PEOPLE:
@@ -156,7 +161,7 @@ def _difference(name: str, pairs: pd.DataFrame) -> Difference:
 
 def prepared(table: Table, *, researcher: bool) -> pd.DataFrame:
     """Return the records that may be compared, people's trials as one run of theirs."""
-    records = table.records[~table.records["id"].isin(list(table.hidden))]
+    records = table.without(table.hidden)
     trials = (records["actor"] == PERSON) & (records["origin"] == "study")
     mine = records[(records["origin"] == "run") | (trials & researcher)]
     levels = mine["level"].str.partition("-")

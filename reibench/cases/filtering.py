@@ -9,7 +9,7 @@ from urllib.parse import urlencode
 
 import pandas as pd
 
-from reibench.cases.table import KINDS
+from reibench.cases.table import KINDS, LANES
 from reibench.dialogue import LEVELS
 from reibench.episode import TaskType
 
@@ -34,7 +34,8 @@ class CaseFilter:
     model: str = ""
     method: str = ""
     taken: str = ""
-    """`MEANT/TAKEN`: what the goal's object was taken for, in the run without the method."""
+    """`MEANT/TAKEN/LANE`: what the goal's object was taken for, in the run of that lane; without
+    one, in the run without a method."""
     tag: str = ""
 
     @classmethod
@@ -129,15 +130,25 @@ def _masks(
     if wanted.error:
         yield "error", _among(cases["errors"], wanted.error)
     if wanted.taken:
-        meant, _, instead = wanted.taken.partition("/")
-        yield "taken", (cases["meant"] == meant) & (cases["plain_taken"] == instead)
+        meant, instead, lane = taken_parts(wanted.taken)
+        there = cases[f"{lane}_taken"] == instead if lane in LANES else False
+        yield "taken", (cases["meant"] == meant) & there
     if wanted.tag:
         tagged = [digest for digest, tags in kept.tags.items() if wanted.tag in tags]
         yield "tag", cases["episode_digest"].isin(tagged)
     for place, word in enumerate(wanted.words.lower().split()):
         with_it = {digest for digest, words in kept.words.items() if word in words}
-        with_it |= {digest for digest, tags in kept.tags.items() if any(word in t for t in tags)}
+        with_it |= {
+            digest for digest, tags in kept.tags.items() if any(word in tag.lower() for tag in tags)
+        }
         yield f"words {place}", cases["episode_digest"].isin(with_it)
+
+
+def taken_parts(taken: str) -> tuple[str, str, str]:
+    """Return what was meant, what was taken, and in the run of which lane."""
+    meant, _, rest = taken.partition("/")
+    instead, _, lane = rest.partition("/")
+    return meant, instead, lane or "plain"
 
 
 def _choices(cases: pd.DataFrame, kept: Kept) -> dict[str, pd.Series]:

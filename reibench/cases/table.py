@@ -8,7 +8,7 @@ tens of thousands of records; it is brought up to date when the database has cha
 import json
 import threading
 from collections.abc import Callable, Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import pandas as pd
@@ -58,7 +58,16 @@ class Table:
     found by more than once: its `actors`, and the kinds of failure (`errors`) of its runs.
     """
     hidden: frozenset[str] = frozenset()
-    """Ids of records that say nothing of people, e.g. of practice tasks."""
+    """Ids of those `records` that say nothing of people, e.g. of practice tasks."""
+
+    def without(self, hidden: Collection[str]) -> pd.DataFrame:
+        """Return the records without some."""
+        return self.records[~self.records["id"].isin(hidden)] if hidden else self.records
+
+    @cached_property
+    def ids(self) -> frozenset[str]:
+        """The ids of all records."""
+        return frozenset(self.records["id"])
 
     @cached_property
     def public(self) -> pd.DataFrame:
@@ -86,16 +95,18 @@ class CaseTable:
         A large one that has changed is brought up to date behind the scenes: it is returned as it
         was a moment ago, and nobody waits.
         """
-        known = self._state()
-        if known == self._known:
-            return self._table
-        if len(self._table.records) > LARGE:
+        known, hidden = self._state(), frozenset(self._hidden())
+        table = self._table
+        # who was rejected must not count for a moment longer, so that is always waited for
+        judged = hidden & table.ids != table.hidden
+        if known == self._known and not judged:
+            return table
+        if len(table.records) > LARGE and not judged:
             if self._lock.acquire(blocking=False):
-                threading.Thread(target=self._catch_up, args=(known,), daemon=True).start()
+                threading.Thread(target=self._catch_up, args=(known, hidden), daemon=True).start()
             return self._table
         with self._lock:
-            if known != self._known:
-                self._update(known)
+            self._update(known, hidden)
             return self._table
 
     def _state(self) -> tuple[int, str]:
@@ -105,23 +116,27 @@ class CaseTable:
         )
         return row["records"], row["latest"]
 
-    def _catch_up(self, known: tuple[int, str]) -> None:
+    def _catch_up(self, known: tuple[int, str], hidden: frozenset[str]) -> None:
         """Update the table; the lock is held already."""
         try:
-            self._update(known)
+            self._update(known, hidden)
         finally:
             self._lock.release()
 
-    def _update(self, known: tuple[int, str]) -> None:
-        self._table = self._read(known[0])
-        self._known = known
+    def _update(self, known: tuple[int, str], hidden: frozenset[str]) -> None:
+        """Bring the table up to date, unless somebody else just did."""
+        if known != self._known:
+            self._table = self._read(known[0], hidden)
+            self._known = known
+        elif hidden & self._table.ids != self._table.hidden:
+            self._table = _hiding(self._table, hidden)
 
     def forget(self) -> None:
         """Read everything anew next time."""
         with self._lock:
             self._known, self._table = (0, ""), _empty()
 
-    def _read(self, number: int) -> Table:
+    def _read(self, number: int, hidden: frozenset[str]) -> Table:
         """Read what is new; everything, if something is gone."""
         note_faults(self._store, JUDGED_AT_ONCE)
         before = self._table
@@ -132,14 +147,13 @@ class CaseTable:
         whole = len(records) != number
         if whole:
             records = self._since("")
-        hidden = frozenset(self._hidden())
         episodes, words = self._episodes(set((records if whole else new)["episode_digest"]))
-        real = records[~records["id"].isin(hidden)] if hidden else records
-        if whole or hidden != before.hidden or not len(before.cases):
-            cases = cases_of(real, episodes)
-        else:
-            cases = _changed(before.cases, real, set(new["episode_digest"]), episodes)
-        return Table(records, episodes, words, cases, hidden)
+        table = Table(records, episodes, words, before.cases, before.hidden)
+        if whole or hidden & before.ids != before.hidden or not len(before.cases):
+            return _hiding(table, hidden)
+        real = table.without(hidden)
+        cases = _changed(before.cases, real, set(new["episode_digest"]), episodes)
+        return replace(table, cases=cases, hidden=hidden & table.ids)
 
     def _since(self, finished: str) -> pd.DataFrame:
         rows = self._store.query(_RECORDS, [finished])
@@ -165,6 +179,12 @@ _TITLES = ["episode_digest", "title", "meant"]
 def _empty() -> Table:
     records, episodes = pd.DataFrame(columns=_columns()), pd.DataFrame(columns=_TITLES)
     return Table(records, episodes, {}, cases_of(records, episodes))
+
+
+def _hiding(table: Table, hidden: frozenset[str]) -> Table:
+    """Return a table with all cases made anew, of the records that are not hidden."""
+    cases = cases_of(table.without(hidden), table.episodes)
+    return replace(table, cases=cases, hidden=hidden & table.ids)
 
 
 def _changed(

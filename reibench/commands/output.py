@@ -2,7 +2,8 @@
 
 import json
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from math import isfinite
 
 
 def say(text: str = "") -> None:
@@ -17,8 +18,19 @@ def tell(text: str, *, end: str = "\n") -> None:
 
 
 def say_json(value: object) -> None:
-    """Write one JSON object to stdout."""
-    say(json.dumps(value, ensure_ascii=False, indent=2))
+    """Write one JSON object to stdout; a number that is none, e.g. of no interval, is null."""
+    say(json.dumps(_countable(value), ensure_ascii=False, indent=2, allow_nan=False))
+
+
+def _countable(value: object) -> object:
+    """Return a value for JSON, which has no NaN and nothing infinite."""
+    if isinstance(value, float) and not isfinite(value):
+        return None
+    if isinstance(value, Mapping):
+        return {key: _countable(each) for key, each in value.items()}
+    if isinstance(value, list | tuple):
+        return [_countable(each) for each in value]
+    return value
 
 
 def table(rows: Sequence[Sequence[object]], headers: Sequence[str]) -> str:

@@ -21,7 +21,14 @@ from reibench.cases.exporting.offline import offline_page
 from reibench.cases.filtering import CaseFilter, Found, Kept, find
 from reibench.cases.keeping import Keeping
 from reibench.cases.table import CaseTable, Hidden, Table
-from reibench.cases.views.case_list import PAGE, address, filters, listing, runs_of
+from reibench.cases.views.case_list import (
+    MOST_LISTED,
+    PAGE,
+    address,
+    filters,
+    listing,
+    runs_of,
+)
 from reibench.cases.views.case_page import case_view
 from reibench.cases.views.case_step import step_panel
 from reibench.cases.views.keeping import kept_view
@@ -32,7 +39,6 @@ from reibench.view.markup import element, text
 from reibench.view.site import document
 
 HEAD = head("cases", "cases")
-MOST_LISTED = 2000
 FILES: Mapping[str, tuple[str, Callable[[Case, int, int], str | bytes]]] = {
     "html": ("text/html", lambda case, row, lane: offline_page(case, row=row, lane=lane)),
     "json": ("application/json", lambda case, _, __: json.dumps(case_data(case), indent=1)),
@@ -188,7 +194,8 @@ class CasePages:
         row, lane = _at(case, asked)
         runs = ",".join(run.id for run in case.runs)
         tags = self.keeping.tags().get(case.digest, ())
-        note = self.keeping.note(case.digest)
+        # a note may be about a participant, so it is for those who may see what they did
+        note = self.keeping.note(case.digest) if researcher else ""
         back = address(CaseFilter.read(asked), case=case.episode.id, runs=runs)
         kept = kept_view(runs, tags, note, back=back, may_change=researcher)
         return case_view(case, row=row, lane=lane, buttons=_buttons(case, runs), kept=kept)

@@ -126,10 +126,11 @@ class ComparisonPages:
 
     def _shown(self, request: Request) -> tuple[Comparison, list[Contestant]]:
         table, researcher = self._cases.table.now(), self._cases.researcher(request)
-        if self._last is None or self._last[:2] != (id(table), researcher):
+        last = self._last  # taken once: another request may put something else there meanwhile
+        if last is None or last[:2] != (id(table), researcher):
             records = prepared(table, researcher=researcher)
-            self._last = (id(table), researcher, table, records, contestants(records))
-        records, known = self._last[3], self._last[4]
+            last = self._last = (id(table), researcher, table, records, contestants(records))
+        records, known = last[3:]
         chosen = choose(known, request.query_params.get("runs", ""))
         return Comparison(records, chosen), known
 

@@ -4,6 +4,8 @@ import pytest
 
 from reibench.cases.case import Cases
 from reibench.errors import ReibenchError, UnknownName
+from reibench.planners import Decision
+from reibench.rollout import Rollout
 from reibench.skill import parse_skill
 from reibench.view.alignment import align, align_many, divides
 from tests.cases.conftest import SPEC
@@ -67,3 +69,17 @@ def test_what_makes_up_no_case_is_refused_in_a_sentence(store, helped, play, epi
     begun = store.begin(SPEC, episodes["pick_keys.implicit-short"])
     with pytest.raises(ReibenchError, match="not over yet"):
         cases.open([begun])
+
+
+def test_a_run_that_is_tried_again_shows_what_it_did_last(store, episode, world):
+    cases, lengths = Cases(store), []
+    for skills, error in ((["find an apple"], "the server died"), (["find an apple"] * 3, "")):
+        record_id = store.begin(SPEC, episode)
+        rollout = Rollout(episode, world)
+        store.started(record_id, rollout.start())
+        for skill in skills:
+            store.add_step(record_id, rollout, rollout.step(Decision(parse_skill(skill))))
+        store.finish(record_id, rollout, SPEC.actor, error=error)
+        [run] = cases.open([record_id]).runs
+        lengths.append((run.record.status == "error", len(run.steps)))
+    assert lengths == [(True, 1), (False, 3)]

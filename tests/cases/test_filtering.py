@@ -50,6 +50,22 @@ def test_words_are_looked_for_in_what_is_said_objects_and_tags(some):
         assert list(tagged.cases["episode_digest"]) == [digest]
 
 
+def test_a_tag_is_found_however_it_is_written(some):
+    digest = some.cases["episode_digest"].iloc[0]
+    for words in ("Zebra", "zebra 3", "ZEB"):
+        tagged = found(some, {digest: ("Zebra 3",)}, words=words)
+        assert list(tagged.cases["episode_digest"]) == [digest], words
+
+
+def test_what_was_taken_is_looked_for_in_the_run_that_is_asked_about(some):
+    for taken, number in (
+        ("Potato/Apple", 1), ("Potato/Apple/plain", 1), ("Potato/Apple/told", 0),
+        ("Potato/Potato/told", 1), ("Potato/Potato/person", 1), ("Potato/Potato", 0),
+        ("KeyChain/", 3), ("KeyChain//told", 0), ("Potato/Apple/nobody", 0),
+    ):  # fmt: skip
+        assert len(found(some, taken=taken).cases) == number, taken
+
+
 def test_a_kind_of_failure_of_either_run_is_found(some):
     assert len(found(some, error="object-omission").cases) == 4
     assert len(found(some, error="execution-error").cases) == 3

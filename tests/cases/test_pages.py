@@ -1,16 +1,18 @@
 """The case pages and the comparison, through their addresses; and what strangers may try."""
 
 import csv
+import html
 import io
 import json
 import re
 
 import pandas as pd
 import pytest
-from fastapi import FastAPI
+from fastapi import FastAPI, Request
 from fastapi.testclient import TestClient
 
 from reibench.cases.comparing import Comparison, Contestant
+from reibench.cases.views.case_list import MOST_LISTED
 from reibench.cases.views.comparison import look_of
 from reibench.pages.cases import CasePages
 from reibench.pages.comparison import ComparisonPages
@@ -29,6 +31,20 @@ def serve(store):
         return TestClient(app, base_url="http://here", follow_redirects=False)
 
     return serve
+
+
+def copy_record(database, record_id, number):
+    """Write a record like this one, of another episode."""
+    columns = [row[1] for row in database.execute("pragma table_info(records)")]
+    new = {"id": f"copy{number}", "episode": f"e{number}", "episode_digest": f"d{number}"}
+    [kept] = database.execute("select * from records where id = ?", [record_id]).fetchall()
+    row = dict(zip(columns, kept, strict=True)) | new
+    database.execute(
+        "insert into episodes select ?, ?, json from episodes where digest = ?",
+        [row["episode_digest"], row["episode"], kept[columns.index("episode_digest")]],
+    )
+    marks = ", ".join("?" * len(row))
+    database.execute(f"insert into records ({', '.join(row)}) values ({marks})", [*row.values()])
 
 
 def listed(page):
@@ -154,6 +170,21 @@ def test_tags_and_a_note_are_kept_and_found(serve, helped):
     assert listed(client.get("/cases?tag=even").text) == 0
 
 
+def test_notes_are_for_researchers_and_tags_for_everybody(serve, helped):
+    sent = {"runs": runs_of(helped), "tags": "odd", "note": "The person in slot 3 was tired."}
+    serve().post("/cases/keep", data=sent, headers={"Origin": "http://here"})
+    addresses = [
+        f"/cases{path}runs={runs_of(helped)}"
+        for path in ("?", "?part=case&", "/case.html?", "/case.json?")
+    ]
+    for address in addresses:
+        assert "slot 3" not in serve(researcher=False).get(address).text, address
+    anybody, researcher = (serve(researcher=who).get(addresses[0]).text for who in (False, True))
+    assert 'class="chip tag">odd<' in anybody
+    assert "slot 3" in researcher
+    assert "researchers only" in researcher
+
+
 @pytest.mark.parametrize(
     ("sent", "origin", "status"),
     [
@@ -210,6 +241,22 @@ def test_the_list_can_be_had_as_a_table_without_formulas(serve, helped, play, ep
     assert not any(cell.startswith(("=", "+", "@")) for row in rows for cell in row.values())
 
 
+def test_where_the_list_ends_the_way_to_the_others_is_said(serve, store, helped):
+    with store.writing() as database:
+        for number in range(MOST_LISTED + 39):
+            copy_record(database, helped["plain"].id, number)
+    client = serve()
+    assert "Show 60 more" in client.get("/cases?part=list").text
+    last_but_one = client.get(f"/cases?part=list&most={MOST_LISTED - 20}").text
+    [link] = re.findall(r'href="([^"]+)">Show 20 more', html.unescape(last_but_one))
+    last = client.get(f"{link}&part=list").text
+    assert listed(last) == MOST_LISTED
+    assert "more</a>" not in last
+    assert "The first 2,000 of 2,040 cases are listed." in last
+    assert "filters above; the CSV has all" in last
+    assert client.get("/cases/list.csv").text.count("\n") == 1 + 2040
+
+
 def test_the_comparison_counts_what_score_counts(serve, helped, play, episodes):
     play(episodes["pick_keys.mixed-short"], SPEC, "find a sofa")
     play(episodes["pick_keys.mixed-short"], TOLD, "find a sofa")
@@ -232,6 +279,51 @@ def test_every_bar_leads_to_its_cases(serve, helped):
     assert links
     for link in links:
         assert listed(client.get(f"{link}&part=list").text) >= 1, link
+
+
+def test_every_cell_of_what_confuses_what_leads_to_its_cases(serve, play, episode, episodes):
+    play(episodes["pick_keys.mixed-short"], TOLD, "find a bowl", "pick up the bowl")
+    play(episodes["pick_keys.mixed-short"], SPEC)
+    play(episode, PERSON, "find an apple", "pick up the apple", origin="study", visitor="P1")
+    client = serve()
+    for run, words in (
+        (TOLD.id, "key chain taken for bowl"),
+        (SPEC.id, "key chain taken for none"),
+        ("people", "potato taken for apple"),
+    ):
+        page = html.unescape(client.get(f"/comparison?runs={run}").text)
+        [link] = re.findall(rf'href="([^"]+taken=[^"]+)"[^>]+title="{words}: 1"', page)
+        assert listed(client.get(f"{link}&part=list").text) == 1, link
+
+
+def test_one_task_says_nothing_about_others_in_words(serve, helped):
+    page = serve().get("/comparison").text
+    assert "+100 points (no interval: only one seed task) on 1 episode;" in page
+    assert "nan" not in re.findall(r"[\w-]+", page)
+
+
+def test_people_are_for_researchers_whoever_asks_at_the_same_time(store, play, episodes):
+    play(episodes["pick_keys.mixed-short"], PERSON, "find a sofa", origin="study", visitor="P1")
+    play(episodes["pick_keys.mixed-short"], SPEC, "find a sofa")
+    request = Request({"type": "http", "query_string": b"", "headers": []})
+
+    class Anybody:
+        """No researcher; while that is looked at, a researcher's request is answered."""
+
+        def __bool__(self):
+            return False
+
+        def __eq__(self, other):
+            asking.append(True)
+            assert b"People" in pages.table(request).body
+            return other is False
+
+        __hash__ = None
+
+    asking = [Anybody(), False]
+    pages = ComparisonPages(store, CasePages(store, lambda request: asking.pop()))
+    assert b"People" not in pages.table(request).body
+    assert b"People" not in pages.table(request).body
 
 
 def test_the_gallery_does_not_count(serve, store, helped):

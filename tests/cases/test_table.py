@@ -86,6 +86,40 @@ def test_participants_are_only_for_researchers_and_practice_for_nobody(
     assert set(table.public["person_id"]) == {helped["person"].id}
 
 
+def test_who_is_rejected_or_restored_leaves_and_returns_at_the_next_request(store, play, episodes):
+    trial = play(
+        episodes["pick_keys.mixed-short"], PERSON, "find a sofa", origin="study", visitor="P1"
+    )
+    rejected = set()
+    table = CaseTable(store, lambda: rejected)
+    assert list(table.now().cases["person_id"]) == [trial.id]
+    rejected.add(trial.id)
+    assert len(table.now().cases) == 0
+    assert table.now().hidden == {trial.id}
+    rejected.clear()
+    assert list(table.now().cases["person_id"]) == [trial.id]
+
+
+def test_a_rejection_is_not_waited_for_even_in_a_large_table(store, play, episodes, monkeypatch):
+    monkeypatch.setattr(tables, "LARGE", 0)
+    trial = play(
+        episodes["pick_keys.mixed-short"], PERSON, "find a sofa", origin="study", visitor="P1"
+    )
+    rejected = set()
+    table = CaseTable(store, lambda: rejected)
+    table.now()
+    rejected.add(trial.id)
+    assert len(table.now().cases) == 0
+
+
+def test_what_is_hidden_but_not_finished_gives_nobody_anything_to_wait_for(table, store, helped):
+    hidden = set()
+    table = CaseTable(store, lambda: hidden)
+    before = table.now()
+    hidden.add("begun a moment ago")
+    assert table.now() is before
+
+
 def test_old_records_are_judged_when_they_are_first_listed(table, store, helped):
     with sqlite3.connect(store.path) as database:
         database.execute("update records set reason = null, taken = null")

@@ -7,7 +7,7 @@ from urllib.parse import urlencode
 
 import pandas as pd
 
-from reibench.cases.filtering import CaseFilter, Found, in_order
+from reibench.cases.filtering import CaseFilter, Found, in_order, taken_parts
 from reibench.cases.table import KINDS, LANES, PERSON
 from reibench.cases.views.words import KIND_TITLES, KIND_WORDS, level_words, present
 from reibench.dialogue import CONTEXTS, REFERENCES
@@ -24,6 +24,8 @@ from reibench.view.topbar import room_name
 
 PAGE = 60
 """How many cases are listed at first, and how many more each time."""
+MOST_LISTED = 2000
+_WHOSE = {"person": "by a person", "plain": "without a method", "told": "with a method"}
 
 
 def address(wanted: CaseFilter, **more: str) -> str:
@@ -186,8 +188,11 @@ def _errors(wanted: CaseFilter, found: Found) -> str:
 def _taken(wanted: CaseFilter) -> str:
     if not wanted.taken:
         return ""
-    meant, _, instead = wanted.taken.partition("/")
-    words = f"{in_words(meant)} taken for {in_words(instead) if instead else 'nothing'}"
+    meant, instead, lane = taken_parts(wanted.taken)
+    thing = in_words(meant)
+    found = "nothing" if not instead else in_words(instead)
+    words = f"{thing} taken" if meant == instead else f"{thing} taken for {found}"
+    words += f" {_WHOSE[lane]}" if lane in _WHOSE else ""
     off = element(
         "a", text(words), " ×", class_="chip on", data_part="list",
         href=address(replace(wanted, taken="")),
@@ -211,12 +216,23 @@ def listing(wanted: CaseFilter, found: Found, current: str, most: int = PAGE) ->
         return head + _nothing(wanted, found)
     items = [_item(row, wanted, current) for row in _rows(found.cases, most)]
     if number > most:
-        more = element(
-            "a", f"Show {min(PAGE, number - most)} more", class_="btn sm", data_part="list",
-            href=address(wanted, runs=current, most=str(most + PAGE)),
-        )  # fmt: skip
-        items.append(element("li", more, class_="more"))
+        items.append(element("li", _further(wanted, current, most, number), class_="more"))
     return head + element("ul", *items, class_="list", id="list")
+
+
+def _further(wanted: CaseFilter, current: str, most: int, number: int) -> str:
+    """Return the link to more cases than are listed; at the limit, how to get at the others."""
+    more = min(most + PAGE, number, MOST_LISTED)
+    if more > most:
+        return element(
+            "a", f"Show {more - most} more", class_="btn sm", data_part="list",
+            href=address(wanted, runs=current, most=str(more)),
+        )  # fmt: skip
+    words = (
+        f"The first {most:,} of {number:,} cases are listed. To see others, narrow them down by"
+        " the filters above; the CSV has all."
+    )
+    return element("p", text(words), class_="muted small")
 
 
 def _rows(cases: pd.DataFrame, most: int) -> Sequence[Mapping[Any, Any]]:

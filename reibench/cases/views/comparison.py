@@ -1,6 +1,7 @@
 """The comparison page: any runs, people and the published numbers beside each other."""
 
 from collections.abc import Mapping, Sequence
+from math import isnan
 from typing import Any
 
 from reibench.cases.comparing import (
@@ -191,20 +192,22 @@ def _differences(shown: Comparison, looks: Mapping[str, str]) -> str:
         element("h2", "Paired differences"),
         element("span", "points, same episodes", class_="xs muted"),
     )
-    words = (
-        "95 % intervals from drawing whole seed tasks anew 10,000 times."
-        if groups
-        else "Two runs on the same episodes are needed."
-    )
+    words = "Two runs on the same episodes are needed."
+    if groups:
+        words = "95 % intervals from drawing whole seed tasks anew 10,000 times."
+        if any(isnan(point.low) for _, _, points in groups for point in points):
+            words += " There is none where both did episodes of one seed task only."
     inside = (differences(groups) if groups else "") + element("p", words, class_="xs muted")
     return element("section", head, element("div", inside, class_="bd"), class_="panel")
 
 
 def _told(one: Contestant, base: Contestant, each: Difference) -> Point:
+    between = f"{100 * each.low:+.0f} to {100 * each.high:+.0f}"
     words = (
         f"{one.title} against {base.title}, {each.reference}: {100 * each.difference:+.0f} points"
-        f" ({100 * each.low:+.0f} to {100 * each.high:+.0f}) on {each.pairs} episodes; it alone"
-        f" {each.only_second}, the other alone {each.only_first}, p = {each.p:.2g}"
+        f" ({'no interval: only one seed task' if isnan(each.low) else between}) on {each.pairs}"
+        f" episode{'' if each.pairs == 1 else 's'}; it alone {each.only_second}, the other alone"
+        f" {each.only_first}, p = {each.p:.2g}"
     )
     return Point(each.reference, 100 * each.difference, 100 * each.low, 100 * each.high, words)
 
@@ -255,7 +258,7 @@ def _cell(of: Contestant, meant: str, taken: str, count: int, most: int) -> str:
         else (f"{_name(meant)} taken: {count}")
     )
     return element(
-        "a", str(count), href=_cases(of, taken=f"{meant}/{taken}"),
+        "a", str(count), href=_cases(of, taken=f"{meant}/{taken}/{of.lane}"),
         class_=classes("mc", right=right, wrong=not right), style=f"--p:{share}%", title=words,
         aria_label=words,
     )  # fmt: skip

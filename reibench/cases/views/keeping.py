@@ -12,7 +12,7 @@ def kept_view(runs: str, tags: Sequence[str], note: str, *, back: str, may_chang
     Args:
         runs: ids of the case's runs, as the address has them.
         tags: the episode's tags.
-        note: what is noted about it.
+        note: what is noted about it; empty for whoever may not read it.
         back: the address to return to.
         may_change: whether whoever reads this may change them.
     """
@@ -26,10 +26,12 @@ def kept_view(runs: str, tags: Sequence[str], note: str, *, back: str, may_chang
         element(
             "label", "Tags, with commas",
             element("input", type="text", name="tags", value=", ".join(tags), maxlength=400),
+            element("small", "Seen by everybody.", class_="muted"),
         ),
         element(
             "label", "Note",
             element("textarea", text(note), name="note", rows=2, maxlength=LONGEST_NOTE),
+            element("small", "Seen by researchers only, and in no export.", class_="muted"),
         ),
         element("button", "Keep", class_="btn sm primary"),
     ]  # fmt: skip
