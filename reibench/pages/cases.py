@@ -86,14 +86,12 @@ class CasePages:
             if part == "at":
                 case = self.opened(asked, researcher=researcher)
                 return HTMLResponse(step_panel(case, *_at(case, asked)))
-            if part == "case":
-                return HTMLResponse(
-                    self._case(
-                        self.opened(asked, researcher=researcher), asked, researcher=researcher
-                    )
-                )
+            if part == "case" and asked.get("runs"):
+                return HTMLResponse(self._opened(asked, researcher=researcher))
             found = self.found(wanted, researcher=researcher)
             runs = asked.get("runs") or self._first(found, asked, researcher=researcher)
+            if part == "case":
+                return HTMLResponse(self._opened(asked | {"runs": runs}, researcher=researcher))
             most = _whole(asked.get("most"), PAGE, MOST_LISTED)
             shown = element(
                 "section", filters(wanted, found), listing(wanted, found, runs, most),

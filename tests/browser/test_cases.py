@@ -1,6 +1,7 @@
 """Cases in a real browser: found, walked through by keyboard, linked, exported, kept."""
 
 import re
+from urllib.parse import parse_qs, urlparse
 
 import pytest
 from playwright.sync_api import expect
@@ -151,6 +152,84 @@ def test_filters_change_the_list_and_the_address_and_back_undoes_it(look):
     page.go_back()
     page.go_back()
     expect(page.locator("#count")).to_have_text(before)
+
+
+def test_back_shows_the_case_that_was_there_before(look):
+    page = look("/cases").page
+    first = page.get_attribute("#case", "data-runs")
+    page.locator("#list .case").nth(3).click()
+    expect(page.locator("#case")).not_to_have_attribute("data-runs", first)
+    fourth = page.get_attribute("#case", "data-runs")
+    page.go_back()
+    expect(page.locator("#case")).to_have_attribute("data-runs", first)
+    expect(page.locator("#list .case").first).to_have_class(re.compile(r"\bon\b"))
+    page.go_forward()
+    expect(page.locator("#case")).to_have_attribute("data-runs", fourth)
+
+
+def test_keys_pressed_faster_than_cases_come_all_count(look):
+    page = look("/cases").page
+    runs = [
+        parse_qs(urlparse(link.get_attribute("href")).query)["runs"][0]
+        for link in page.locator("#list .case").all()
+    ]
+    for key in "jjjkj":
+        page.keyboard.press(key)
+    expect(page.locator("#case")).to_have_attribute("data-runs", runs[3])
+    for key in ("j", "Home", "ArrowRight"):
+        page.keyboard.press(key)
+    expect(page.locator("#case")).to_have_attribute("data-runs", runs[4])
+    expect(page.locator("#where")).to_contain_text("Row 1 of")
+
+
+def test_a_late_answer_does_not_replace_a_newer_one(look):
+    page = look("/cases").page
+    second, third = (page.locator("#list .case").nth(n).get_attribute("href") for n in (1, 2))
+    late = []
+    page.route(
+        "**/*part=case*", lambda route: late.append(route) if not late else route.continue_()
+    )
+    page.locator("#list .case").nth(1).click()
+    page.locator("#list .case").nth(2).click()
+    runs = parse_qs(urlparse(third).query)["runs"][0]
+    expect(page.locator("#case")).to_have_attribute("data-runs", runs)
+    with page.expect_response(lambda answer: "part=case" in answer.url):
+        late[0].continue_()
+    page.wait_for_timeout(200)
+    assert second != third
+    assert page.get_attribute("#case", "data-runs") == runs
+    assert parse_qs(urlparse(page.url).query)["runs"][0] == runs
+
+
+def test_steps_are_walked_as_fast_as_keys_are_pressed_while_the_list_changes(look):
+    cases = look("/cases")
+    page = cases.page
+    page.keyboard.press("Home")
+    cases.at(-1)
+    page.evaluate(
+        """() => {
+            const press = (key) => document.body.dispatchEvent(
+                new KeyboardEvent("keydown", { key, bubbles: true })
+            );
+            document.querySelector(".fs .chip").click();
+            for (const key of ["ArrowRight", "ArrowRight", "ArrowRight", "ArrowLeft"]) press(key);
+        }"""
+    )
+    cases.at(1)
+    expect(page).to_have_url(re.compile("kind="))
+
+
+def test_a_note_that_is_being_written_is_not_lost_unasked(look):
+    page = look("/cases").page
+    asked = []
+    page.on("dialog", lambda dialog: (asked.append(dialog.message), dialog.dismiss()))
+    first = page.get_attribute("#case", "data-runs")
+    page.click(".kept summary")
+    page.fill("[name=note]", "Half a thought")
+    page.locator("#list .case").nth(2).click()
+    expect(page.locator("[name=note]")).to_have_value("Half a thought")
+    assert page.get_attribute("#case", "data-runs") == first
+    assert "not kept yet" in asked[0]
 
 
 def test_tags_are_kept_by_whoever_sits_at_the_server(look):

@@ -89,6 +89,14 @@ def test_parts_of_the_page_can_be_had_alone(serve, helped):
         assert answer.text in whole
 
 
+def test_an_address_without_runs_shows_the_same_case_alone_as_in_the_whole_page(serve, helped):
+    client = serve()
+    for address in ("/cases?", f"/cases?case={helped['plain'].episode.id}&", "/cases?kind=hurts&"):
+        alone = client.get(f"{address}part=case")
+        assert alone.status_code == 200
+        assert alone.text in client.get(address).text
+
+
 def test_an_odd_step_or_run_is_brought_within_bounds(serve, helped):
     client = serve()
     for odd in ("step=999999999999", "step=-3", "lane=7", "step=x&lane=y", "lane=0", "most=0"):

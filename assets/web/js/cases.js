@@ -12,17 +12,22 @@ const say = (words) => { $("#live").textContent = words; };
 // ---- parts of the page
 
 const known = new Map(); // what was fetched lately, by address
-let asked = 0;
+let listsAsked = 0;
+let casesAsked = 0;
+let coming = null; // the case that was asked for, until it is here
+let target = ""; // its runs
 
-async function part(name, address) {
+async function part(name, address, { ahead = false } = {}) {
   const url = new URL(address, location.href);
   url.searchParams.set("part", name);
   const key = url.toString();
   if (name === "at" && known.has(key)) return known.get(key);
-  const answer = await fetch(key);
-  const text = await answer.text();
-  if (!answer.ok) {
-    location.href = address; // the whole page says what is wrong
+  const answer = await fetch(key).catch(() => null);
+  const text = await answer?.text().catch(() => null);
+  if (!answer?.ok || text === null) {
+    if (ahead) return null;
+    if (answer && !answer.ok) location.href = address; // the whole page says what is wrong
+    else trouble("The server does not answer; try again.");
     return null;
   }
   if (name === "at") {
@@ -32,6 +37,12 @@ async function part(name, address) {
   return text;
 }
 
+function trouble(words) {
+  document.body.classList.remove("busy");
+  if ($("#count")) $("#count").textContent = words;
+  say(words);
+}
+
 function put(selector, markup) {
   const holder = document.createElement("template");
   holder.innerHTML = markup;
@@ -39,11 +50,11 @@ function put(selector, markup) {
 }
 
 async function showList(address, { keep = true } = {}) {
-  const mine = ++asked;
+  const mine = ++listsAsked;
   document.body.classList.add("busy");
   const field = document.activeElement?.id === "words" ? document.activeElement : null;
   const markup = await part("list", address);
-  if (markup === null || mine !== asked) return;
+  if (markup === null || mine !== listsAsked) return;
   const opened = $$(".filt details").some((each) => each.open);
   const [start, end] = field ? [field.selectionStart, field.selectionEnd] : [];
   put("#listing", markup);
@@ -58,20 +69,32 @@ async function showList(address, { keep = true } = {}) {
   say($("#count")?.textContent ?? "");
 }
 
-async function showCase(address, { keep = true } = {}) {
+function showCase(address, options = {}) {
+  if (options.keep !== false && noted() && !confirm("Your tags and note are not kept yet. Leave them?")) return;
   stop();
-  const markup = await part("case", address);
-  if (markup === null) return;
-  put("#case", markup);
-  if (keep) keepAddress("pushState", address);
-  markCurrent();
-  draw();
-  say($("#case h1")?.textContent ?? "");
-  if (narrow()) view().scrollIntoView({ block: "start" });
+  target = new URL(address, location.href).searchParams.get("runs") ?? "";
+  markCurrent(); // at once, so that the next key counts from here
+  coming = putCase(address, ++casesAsked, options);
 }
 
+async function putCase(address, mine, { keep = true }) {
+  const markup = await part("case", address);
+  if (mine !== casesAsked) return; // another case was asked for since
+  [coming, target] = [null, ""];
+  if (markup !== null) {
+    put("#case", markup);
+    if (keep) keepAddress("pushState", address);
+    draw();
+    say($("#case h1")?.textContent ?? "");
+    if (keep && narrow()) view().scrollIntoView({ block: "start" });
+  }
+  markCurrent();
+}
+
+const noted = () => $$(".keepform :is(input,textarea)").some((each) => each.value !== each.defaultValue);
+
 function markCurrent() {
-  const runs = view()?.dataset.runs ?? "";
+  const runs = target || (view()?.dataset.runs ?? "");
   for (const link of $$("#list .case")) {
     const on = new URL(link.href).searchParams.get("runs") === runs;
     link.classList.toggle("on", on);
@@ -83,7 +106,12 @@ function markCurrent() {
 // ---- steps
 
 function keepAddress(how, where) {
-  if (!window.reiSteps) history[how](null, "", where); // a file on disk has no address to keep
+  if (window.reiSteps) return; // a file on disk has no address to keep
+  try {
+    history[how](null, "", where);
+  } catch {
+    // browsers refuse when keys are held down for long; the next step keeps it
+  }
 }
 
 function address() {
@@ -96,15 +124,17 @@ function address() {
   return url;
 }
 
+const place = () => [view()?.dataset.runs, number("row"), number("lane")].join();
+
 async function go(row, lane = number("lane")) {
   if (!view()?.dataset.runs) return;
   view().dataset.row = Math.max(-1, Math.min(row, number("rows") - 1));
   view().dataset.lane = Math.max(0, Math.min(lane, number("lanes") - 1));
   draw();
   keepAddress("replaceState", address());
-  const wanted = address();
-  const markup = window.reiSteps ? window.reiSteps(number("row"), number("lane")) : await part("at", wanted);
-  if (markup === null || wanted.toString() !== address().toString()) return;
+  const wanted = place();
+  const markup = window.reiSteps ? window.reiSteps(number("row"), number("lane")) : await part("at", address());
+  if (markup === null || wanted !== place()) return;
   const open = $$("#at details").map((each) => [each.querySelector("summary")?.textContent, each.open]);
   $("#at").innerHTML = markup;
   const were = new Map(open);
@@ -118,7 +148,7 @@ async function go(row, lane = number("lane")) {
   if (!window.reiSteps && number("row") < number("rows") - 1) {
     const next = address();
     next.searchParams.set("step", number("row") + 2);
-    part("at", next); // the next one is likely to be wanted
+    part("at", next, { ahead: true }); // it is likely to be wanted
   }
 }
 
@@ -270,11 +300,18 @@ document.addEventListener("keydown", (event) => {
   if (event.key.length === 1 && event.key !== " " && !recall("keys", true)) return;
   event.preventDefault();
   if (event.key !== " ") stop();
-  act();
+  if (coming && act !== KEYS.j && act !== KEYS.k && act !== KEYS["/"]) inCase(act);
+  else act();
 });
 
-addEventListener("popstate", async () => {
-  await showList(location.href, { keep: false });
-  if (new URL(location.href).searchParams.get("runs")) await showCase(location.href, { keep: false });
+// what is pressed while a case is on its way is done in that case
+async function inCase(act) {
+  while (coming) await coming;
+  act();
+}
+
+addEventListener("popstate", () => {
+  showList(location.href, { keep: false });
+  showCase(location.href, { keep: false }); // an address without runs shows the first case
 });
 draw();
