@@ -160,10 +160,15 @@ def _difference(name: str, pairs: pd.DataFrame) -> Difference:
 
 
 def prepared(table: Table, *, researcher: bool) -> pd.DataFrame:
-    """Return the records that may be compared, people's trials as one run of theirs."""
+    """Return the records that may be compared, people's trials as one run of theirs.
+
+    The expert's are not: it is told the goal, which nobody else is.
+    """
     records = table.without(table.hidden)
-    trials = (records["actor"] == PERSON) & (records["origin"] == "study")
-    mine = records[(records["origin"] == "run") | (trials & researcher)]
+    person = records["actor"] == PERSON
+    runs = (records["origin"] == "run") & (person | (records["model"] != ""))
+    trials = person & (records["origin"] == "study")
+    mine = records[runs | (trials & researcher)]
     levels = mine["level"].str.partition("-")
     mine = (
         mine.assign(

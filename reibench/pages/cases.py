@@ -182,7 +182,7 @@ class CasePages:
 
     def _opened(self, asked: Mapping[str, str], *, researcher: bool) -> str:
         if not asked["runs"]:
-            words = "Choose a case in the list."
+            words = "There is no case to show."
             return element(
                 "article", element("p", words, class_="empty"), id="case", class_="detail"
             )

@@ -281,6 +281,21 @@ def test_a_phone_shows_everything_one_below_the_other(look):
         expect(page.locator(".nav a.tab").nth(1)).to_be_visible()
 
 
+def test_on_a_phone_what_is_wrong_with_own_words_is_seen_first(look):
+    page = look("/own?room=kitchen-6", viewport={"width": 390, "height": 844}).page
+    page.click("text=See both planners try")
+    expect(page.locator(".notice.bad")).to_contain_text("is not chosen yet")
+    assert page.locator(".notice.bad").bounding_box()["y"] < 400
+
+
+def test_a_lamp_is_asked_for_where_something_is_looked_at(look):
+    page = look("/own?room=bedroom-1").page
+    place = page.locator(".field:has([name=destination]) .label")
+    expect(place).to_have_text("Where it should end")
+    page.select_option("[name=task_type]", "look_at_obj_in_light")
+    expect(place).to_have_text("Lamp it is looked at under")
+
+
 def test_own_words_are_guessed_watched_and_shared(visit, chromium, app):
     page = chromium.new_page()
     page.goto(f"{app}/own?room=kitchen-6")

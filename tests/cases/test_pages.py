@@ -5,17 +5,19 @@ import html
 import io
 import json
 import re
+from dataclasses import replace
 
 import pandas as pd
 import pytest
 from fastapi import FastAPI, Request
 from fastapi.testclient import TestClient
 
-from reibench.cases.comparing import Comparison, Contestant
+from reibench.cases.comparing import MOST_RUNS, Comparison, Contestant
 from reibench.cases.views.case_list import MOST_LISTED
 from reibench.cases.views.comparison import look_of
 from reibench.pages.cases import CasePages
 from reibench.pages.comparison import ComparisonPages
+from reibench.run import RunSpec
 from tests.cases.conftest import PERSON, SPEC, TOLD
 
 
@@ -278,6 +280,22 @@ def test_the_comparison_counts_what_score_counts(serve, helped, play, episodes):
     told = [row for row in rows if row["title"] == "SayCan + TOCC"]
     assert sum(int(row["success"]) for row in told) == 1
     assert sum(int(row["episodes"]) for row in told) == 2
+
+
+def test_the_expert_is_no_competitor_and_more_than_fit_cannot_be_added(serve, play, episode):
+    play(episode, RunSpec(planner="expert"), "find a sofa")
+    runs = [replace(SPEC, model=f"scripted:{number}") for number in range(MOST_RUNS + 1)]
+    for run in runs:
+        play(episode, run, "find a sofa")
+    client = serve()
+    five, six = (
+        client.get(f"/comparison?runs={','.join(run.id for run in runs[:number])}").text
+        for number in (MOST_RUNS - 1, MOST_RUNS)
+    )
+    assert "Add runs" in five
+    assert "Add runs" not in six
+    assert "6 at most: leave one out to add another" in six
+    assert "xpert" not in five
 
 
 def test_every_bar_leads_to_its_cases(serve, helped):

@@ -10,6 +10,8 @@ function fit() {
   const kind = form.elements.task_type.value;
   form.querySelector(".movable").hidden = kind !== STACK;
   const places = form.elements.destination;
+  places.closest(".field").querySelector(".label").textContent =
+    kind === EXAMINE ? "Lamp it is looked at under" : "Where it should end";
   for (const group of places.querySelectorAll("optgroup")) {
     const lamps = group.label === "Lamps";
     group.hidden = lamps !== (kind === EXAMINE);

@@ -208,7 +208,7 @@ def listing(wanted: CaseFilter, found: Found, current: str, most: int = PAGE) ->
     head = element(
         "div",
         element("span", words, class_="muted grow num", id="count"),
-        element("span", "person · plain · method", class_="muted"),
+        element("span", "person · plain · method", class_="muted", title="Whose marks are whose"),
         csv,
         class_="row small listhead",
     )

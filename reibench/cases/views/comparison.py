@@ -135,10 +135,11 @@ def _errors(shown: Comparison) -> str:
             rows.append(element("span", text(one.short), class_="who2", title=one.title))
             rows.append(_stack(one, reference, found))
         groups.append(element("div", *rows, class_="sg", style=f"--n:{len(shown.chosen)}"))
+    broke = any(row["breakdown"] for row in shown.by_reference.values())
     key = element(
         "div",
         *(element("span", element("i", class_=look), name.replace("_", " "))
-          for name, look in ERRORS[:3]),
+          for name, look in ERRORS if name != "breakdown" or broke),
         class_="key",
     )  # fmt: skip
     head = element(

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from urllib.parse import urlencode
 
-from reibench.cases.comparing import LEVELS, Contestant, published
+from reibench.cases.comparing import LEVELS, MOST_RUNS, Contestant, published
 from reibench.view.markup import classes, element, text
 
 _FORMS = ("svg", "pdf", "png")
@@ -73,6 +73,9 @@ def _paper(chosen: Sequence[Contestant], *, paper: bool) -> str:
 def _more(others: Sequence[Contestant], runs: Sequence[str], *, paper: bool) -> str:
     if not others:
         return ""
+    if len(runs) >= MOST_RUNS:
+        words = f"{MOST_RUNS} at most: leave one out to add another"
+        return element("span", words, class_="muted xs")
     items = [
         (
             f"{element('b', text(one.title))} {element('small', text(one.subtitle))}",

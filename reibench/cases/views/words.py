@@ -7,13 +7,13 @@ from reibench.report.labels import model_label
 from reibench.view.choices import method_title, planner_title
 
 KIND_WORDS = {
-    "helps": "TOCC helps",
-    "hurts": "hurts",
+    "helps": "method helps",
+    "hurts": "method hurts",
     "same": "no change",
     "people": "people only",
     "single": "one run",
 }
-"""What the kinds of case are called; a method may be another than TOCC, which its run says."""
+"""What the kinds of case are called; which method it is, the case says."""
 KIND_TITLES = {
     "helps": "Failed without the method, carried out with it",
     "hurts": "Carried out without the method, failed with it",
