@@ -183,7 +183,9 @@ def _turns(before: str) -> Iterator[Utterance]:
         words = " ".join(line.split())
         if not words:
             continue
-        told = _SPEAKER.match(words)
+        told = _SPEAKER.match(f"{words} ")
+        if told and told.end() >= len(words):
+            continue  # only who speaks, and nothing said
         human = told[1].lower() in _HUMAN if told else last == "robot"
         last = "human" if human else "robot"
         yield Utterance("human" if human else "robot", words[told.end() :] if told else words)

@@ -66,6 +66,11 @@ def test_who_speaks_is_read_or_taken_in_turns():
     ]  # fmt: skip
 
 
+def test_who_says_nothing_has_no_turn():
+    silent = compose(replace(SAID, before="Human:\nRobot: Hi.\nHuman: "))
+    assert [turn.text for turn in silent.dialogue.context] == ["Hi."]
+
+
 def test_the_words_that_mean_the_object_are_marked_and_names_are_found():
     spoken = compose(replace(SAID, before="Human: The apple, Robot.\nRobot: The apple? Pineapple."))
     first, second, last = spoken.dialogue.utterances
