@@ -42,12 +42,14 @@ class Record:
     """`person`, or planner, method and model."""
     status: Status
     """success: the goal holds at the end. failure: it doesn't, and the actor said done.
-    truncated: it doesn't, and the budget is spent. error: something broke."""
+    truncated: it doesn't, and the budget of steps or the time is spent. error: something broke."""
     start: Event | None
     """The event of the reset; None if the room could not be set up."""
     steps: tuple[Step, ...]
     said_done: bool = False
     """Whether the actor ended the episode itself."""
+    expired: bool = False
+    """Whether it was truncated because the time was up, with steps left."""
     instruction: Instruction | None = None
     """What the planner was told; None for people, who read the dialogue."""
     closing: Closing | None = None
@@ -64,6 +66,7 @@ class Rollout:
         self.max_steps = max_steps
         self.steps: list[Step] = []
         self.said_done = False
+        self.expired = False
         self.instruction: Instruction | None = None
         self.closing: Closing | None = None
         self.first_event: Event | None = None
@@ -115,6 +118,10 @@ class Rollout:
         self.said_done = True
         self.closing = closing
 
+    def expire(self) -> None:
+        """Note that the time there was is spent, which says nothing of what the actor thought."""
+        self.expired = True
+
     @property
     def exhausted(self) -> bool:
         """Whether the step budget is spent."""
@@ -123,14 +130,15 @@ class Rollout:
     @property
     def over(self) -> bool:
         """Whether no further step may follow."""
-        return self.said_done or self.exhausted
+        return self.said_done or self.exhausted or self.expired
 
     @property
     def status(self) -> Status:
         """How the episode would be recorded if it ended now."""
         if self.first_event and self.last_event.solved:
             return "success"
-        return "truncated" if self.exhausted and not self.said_done else "failure"
+        spent = self.exhausted or self.expired
+        return "truncated" if spent and not self.said_done else "failure"
 
     def record(self, record_id: str, actor: str, *, error: str = "") -> Record:
         """Close the episode, which was `actor`'s to solve."""
@@ -142,6 +150,7 @@ class Rollout:
             start=self.first_event,
             steps=tuple(self.steps),
             said_done=self.said_done,
+            expired=self.expired,
             instruction=self.instruction,
             closing=self.closing,
             error=error,

@@ -75,17 +75,20 @@ class Sittings:
         if not afresh:
             for entry in reversed(self._entries(visitor)):
                 if entry.episode == episode_id and entry.actor == PERSON:
-                    if entry.status is None and entry.world == self._spec.world:
+                    if self._goes_on(entry):
                         return self._show(entry.id, visitor)
                     break
         spec = replace(self._spec, planner=PERSON, method="none", model="").versioned()
         live = self._make(episode, spec)  # first, so that a world that fails leaves no record
         record_id = self._store.begin(
-            spec, episode, actor=PERSON, origin=self._origin, visitor=visitor
+            spec,
+            episode,
+            actor=PERSON,
+            origin=self._origin,
+            visitor=visitor,
+            start=live.rollout.first_event,
         )
         self._live.lend(record_id, lambda: live)
-        if live.rollout.first_event is not None:
-            self._store.started(record_id, live.rollout.first_event)
         return self._show(record_id, visitor)
 
     def current(self, visitor: str) -> Sitting | None:
@@ -153,17 +156,18 @@ class Sittings:
 
     def done(self, sitting_id: str, visitor: str, expected: int) -> Sitting:
         """End the episode; `expected` is the number the next step would have."""
-        entry = self._entry(sitting_id, visitor)
-        lease = self._lease(entry)
-        with lease.lock:
-            rollout = lease.value.rollout
-            self._refuse_if_over(entry)
-            if expected != len(rollout.steps) + 1:
-                raise StaleStep(f"This tab was behind: the episode is at step {expected}.")
+
+        def say_done(rollout: Rollout) -> None:
+            now = len(rollout.steps) + 1
+            if expected != now:
+                raise StaleStep(f"This tab was behind: the episode is at step {now}.")
             rollout.finish()
-            self._store.finish(sitting_id, rollout, PERSON)
-        self._live.take_back(sitting_id)
-        return self._show(sitting_id, visitor)
+
+        return self._end(sitting_id, visitor, say_done)
+
+    def expire(self, sitting_id: str, visitor: str) -> Sitting:
+        """End an episode whose time is up, which is not the visitor saying done."""
+        return self._end(sitting_id, visitor, Rollout.expire)
 
     # watching a planner
 
@@ -196,6 +200,22 @@ class Sittings:
         self._live.close()
 
     # helpers
+
+    def _end(self, sitting_id: str, visitor: str, end: Callable[[Rollout], None]) -> Sitting:
+        entry = self._entry(sitting_id, visitor)
+        lease = self._lease(entry)
+        with lease.lock:
+            self._refuse_if_over(entry)
+            end(lease.value.rollout)
+            self._store.finish(sitting_id, lease.value.rollout, PERSON)
+        self._live.take_back(sitting_id)
+        return self._show(sitting_id, visitor)
+
+    def _goes_on(self, entry: Entry) -> bool:
+        """Whether an episode is unfinished and can be gone on with here."""
+        if entry.status is not None or entry.world != self._spec.world:
+            return False
+        return self._store.has_start(entry.id)  # a server may have been killed before there was one
 
     def episode(self, episode_id: str) -> Episode:
         """Return an episode; raises UnknownName."""
@@ -252,7 +272,7 @@ class Sittings:
         Reading it anew would take longer with every step, and make other objects of every scene.
         """
         live = self._live.peek(entry.id)
-        if live is None or live.rollout.said_done:
+        if live is None or live.rollout.said_done or live.rollout.expired:
             return None
         record = live.rollout.record(entry.id, entry.actor)
         return record if len(record.steps) == self._store.steps_done(entry.id) else None

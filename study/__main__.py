@@ -182,7 +182,7 @@ def _power(arguments: Namespace) -> int:
         raise ReibenchError("--simulations must be at least 1, and spreads at least 0.")
     planner: dict[str, bool | float] = {**power.by_reference(arguments.planner, "--planner")}
     if arguments.run:
-        planner |= _outcomes(Store(existing_database(arguments)), arguments.run)
+        planner |= power.outcomes_of(Store(existing_database(arguments)), arguments.run)
     expected = power.Expected(
         power.by_reference(arguments.person, "--person"),
         planner,
@@ -205,15 +205,6 @@ def _power(arguments: Namespace) -> int:
         heads = ["people", "trials", "power (McNemar)", "interval by task", "points"]
         say(table(power.table_rows(found), heads))
     return 0
-
-
-def _outcomes(store: Store, run: str) -> dict[str, bool | float]:
-    rows = store.query(
-        "select episode, status from records where run = ? and status not null", [run]
-    )
-    if not rows:
-        raise ReibenchError(f"The database has no finished record of a run {run!r}.")
-    return {row["episode"]: row["status"] == "success" for row in rows}
 
 
 def _simulate(arguments: Namespace) -> int:

@@ -33,4 +33,6 @@ def is_researcher(request: Request) -> bool:
         given = request.cookies.get(COOKIE, "")
         return secrets.compare_digest(given.encode(), signed(COOKIE).encode())
     here = request.client is not None and request.client.host in _HERE
-    return here and not any(name in request.headers for name in _FORWARDED)
+    # a page from elsewhere can have its name resolved to this machine, but not say so
+    named = (request.url.hostname or "") in _HERE
+    return here and named and not any(name in request.headers for name in _FORWARDED)

@@ -35,7 +35,7 @@ def _fits(question: Question, text: str) -> bool:
     if question.kind == "choice":
         return text in question.options
     if question.kind == "scale":
-        return text.isdecimal() and 1 <= int(text) <= question.points
+        return text in {str(point) for point in range(1, question.points + 1)}
     if question.kind == "object":
         return text in object_types()
     return True

@@ -249,6 +249,12 @@ def _check_episodes(study: Study) -> None:
     for name in study.practice:
         if name not in shipped:
             raise unknown("episode to practise", name, shipped)
+    practised = [name.partition(".")[0] for name in study.practice]
+    if twice := {task for task in practised if practised.count(task) > 1}:
+        raise ReibenchError(
+            f"Two practice tasks are of the seed task {min(twice)!r}; nobody meets the same one"
+            " twice, so choose episodes of different tasks."
+        )
     pool = study.chosen()
     designs.create(study.design).check(pool)
     tasks = {episode.task.id for episode in pool}

@@ -49,6 +49,8 @@ class Participant:
     state: State
     quiz_tries: int
     simulated: bool
+    before: State | None = None
+    """What they were before they were turned away."""
 
 
 @dataclass(frozen=True)
@@ -201,6 +203,22 @@ class Enrolment:
             raise Closed("This study is for people who were invited. Please use your own link.")
         if study.people and places.free_slot(database, study, simulated=simulated) >= study.people:
             raise Closed("This study has all the people it needs. Thank you for your interest.")
+
+    def is_same(self, token: str, name: str, parameters: Mapping[str, str], invite: str) -> bool:
+        """Whether who has this token takes part in this study and may have come by this link.
+
+        A link with another invitation or submission is another person's, at the same browser.
+        """
+        rows = self.store.query(
+            "select invite, submission from participants where token = ? and study = ?",
+            [token, name],
+        )
+        if not rows:
+            return False
+        sent = parameters.get(self.study(name).submission or "")
+        return (not invite or invite == rows[0]["invite"]) and (
+            not sent or fingerprint(sent) == rows[0]["submission"]
+        )
 
     def participant(self, token: str) -> Participant:
         """Return who has this token; raises UnknownName for any other."""

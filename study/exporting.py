@@ -13,8 +13,10 @@ Row = Mapping[str, Any]
 _OF_STUDY = "join participants as p on participant = p.code where p.study = ? {kept}"
 QUERIES = {
     "participants": (
-        "select code, version, slot, seed, state, reason, stage, simulated, quiz_tries, arrived,"
-        " seen, ended, parameters from participants as p where p.study = ? {kept} order by arrived"
+        "select code, version, slot, seed, state, accepted, reason, stage, simulated,"
+        " quiz_tries, arrived, seen, ended, parameters"
+        " from participants as p where p.study = ? {kept}"
+        " order by arrived"
     ),
     "assignments": (
         "select participant, kind, a.place, episode, task, level, record from assignments as a"
@@ -49,7 +51,8 @@ CODEBOOK: Mapping[str, Mapping[str, str]] = {
         "slot": "number of their place in the design",
         "seed": "decided what was drawn for them",
         "state": "active, finished, no_consent, failed_check, withdrawn or rejected",
-        "reason": "why a researcher rejected or restored them",
+        "accepted": "when a researcher accepted them (UTC)",
+        "reason": "why a researcher accepted, rejected or restored them",
         "stage": "where they are: consent … over",
         "simulated": "1 for those of `study simulate`",
         "quiz_tries": "how often the quiz was handed in",
@@ -75,7 +78,8 @@ CODEBOOK: Mapping[str, Mapping[str, str]] = {
         "task_type": "ALFRED's name",
         "level": "vagueness: reference-context",
         "room": "name of the room",
-        "status": "success: the goal holds at the end; failure; truncated: budget spent; error;"
+        "status": "success: the goal holds at the end; failure; truncated: budget of steps or time"
+        " spent; error;"
         " empty while it is played",
         "error_kind": "the paper's two kinds: object-omission or execution-error",
         "fault": "the finer kind",

@@ -34,6 +34,7 @@ from study.stages import (
     refuse_elsewhere,
     see,
     stage_of,
+    wipe,
 )
 
 LOCKS = 64
@@ -57,13 +58,15 @@ class Flow:
 
     def consent(self, token: str, *, agreed: bool) -> Page:
         """Agree to take part, or not."""
-        if agreed:
-            return self._move(
-                token, "consent", 0, lambda database, who: go(database, who, "tutorial")
-            )
-        return self._move(
-            token, "consent", 0, lambda database, who: end(database, who, "no_consent")
-        )
+
+        def note(database: Database, who: Participant) -> None:
+            if agreed:
+                go(database, who, "tutorial")
+            else:
+                wipe(database, who)
+                end(database, who, "no_consent")
+
+        return self._move(token, "consent", 0, note)
 
     def read(self, token: str) -> Page:
         """Have read the tutorial."""
@@ -100,22 +103,28 @@ class Flow:
             sittings.done(page.sitting.id, page.participant.code, expected)
             return self.page(token)
 
-    def answer(self, token: str, stage: Stage, place: int, answers: Answers) -> Page:
+    def answer(
+        self, token: str, stage: Stage, place: int, answers: Answers, attempt: int = 0
+    ) -> Page:
         """Answer the questions of the quiz, after a trial, or at the end.
 
+        `attempt` says how many tries at the quiz there were when the page was shown, so that a
+        doubled click is not taken for a second one.
+
         Raises:
-            StaleStep: when the participant is elsewhere.
+            StaleStep: when the participant is elsewhere, or has answered meanwhile.
             ReibenchError: naming the question whose answer is missing or none of its options.
         """
         if stage not in ("quiz", "after", "end"):
             raise ReibenchError(f"Nothing is asked at the stage {stage!r}.")
 
         def note(database: Database, who: Participant) -> None:
+            if stage == "quiz" and attempt != who.quiz_tries:
+                raise StaleStep("This was answered already. The page now shows where you are.")
             study = self.enrolment.study(who.study, who.version)
             asked = questions_at(study, stage)
             given = checked(asked, answers)
-            attempt = who.quiz_tries + 1
-            keep_answers(database, who.code, stage, place, attempt, asked, given)
+            keep_answers(database, who.code, stage, place, who.quiz_tries + 1, asked, given)
             if stage == "quiz":
                 after_quiz(database, who, study, wrong_answers(asked, given))
             elif stage == "end":
@@ -131,22 +140,10 @@ class Flow:
             who = self.enrolment.participant(token)
             if who.state == "withdrawn":
                 return self._page(who)
-            records = [
-                one.record
-                for kind in ("practice", "trial")
-                for one in self.enrolment.assignments(who.code, kind)
-                if one.record
-            ]
+            records = self._store.entries("visitor = ? and origin = 'study'", [who.code])
             with self._store.writing() as database:
-                for table in ("answers", "page_times"):
-                    database.execute(f"delete from {table} where participant = ?", [who.code])
-                database.execute(
-                    "update assignments set record = null where participant = ?", [who.code]
-                )
-                database.execute(
-                    "update participants set parameters = '{}' where code = ?", [who.code]
-                )
-                self._store.forget(database, records)
+                wipe(database, who)
+                self._store.forget(database, [one.id for one in records])
                 end(database, who, "withdrawn")
             return self.page(token)
 
@@ -157,10 +154,10 @@ class Flow:
 
         `times` are milliseconds since the epoch, twice, and a duration in milliseconds.
         """
-        who = self.enrolment.participant(token)
-        if who.state != "active":
-            return
-        with self._store.writing() as database:
+        with self._lock(token), self._store.writing() as database:
+            who = self.enrolment.participant(token)
+            if who.state not in ("active", "finished", "failed_check"):
+                return  # nothing more is kept of them
             database.execute(
                 "insert into page_times values (?, ?, ?, ?, ?, ?, ?, ?)",
                 [who.code, stage, place, step, *times, now()],
@@ -218,14 +215,10 @@ class Flow:
             sitting = self._sitting(who, study, stage)
             left = self._seconds_left(study, stage, sitting)
             if sitting.status is None and left is not None and left <= 0:
-                sitting = self._sittings_of(study).done(
-                    sitting.id, who.code, len(sitting.steps) + 1
-                )
+                sitting = self._sittings_of(study).expire(sitting.id, who.code)
             if sitting.status is None:
                 return replace(page, sitting=sitting, seconds_left=left)
-            with self._store.writing() as database:
-                after_playing(database, who, study)
-            return self._page(self.enrolment.participant(who.token))
+            return self._page(self._played(who, study))
         if stage == "over":
             ending = ending_of(who)
             code = study.codes.get(ending or "", "")
@@ -238,6 +231,14 @@ class Flow:
         given = self._given(who, "trial")
         solved = self._solved(given) if study.reveal_success else None
         return replace(page, questions=asked, room=given.room, solved=solved)
+
+    def _played(self, who: Participant, study: Study) -> Participant:
+        """Let somebody go on whose task is over, unless they were turned away meanwhile."""
+        with self._store.writing() as database:
+            now = self.enrolment.participant(who.token)
+            if (now.state, now.stage, now.place) == (who.state, who.stage, who.place):
+                after_playing(database, now, study)
+        return self.enrolment.participant(who.token)
 
     def _sitting(self, who: Participant, study: Study, stage: Stage) -> Sitting:
         """Return the episode that is being played, begun if need be."""

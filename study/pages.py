@@ -24,6 +24,8 @@ window.dispatchEvent(new Event("rei:bus"));
 """
 PARTS = ("where", "bar", "talk", "room", "act", "card", "extra")
 Answer = tuple[Any, ...]
+LATEST = 1e14
+"""Milliseconds since the epoch that are no clock's any more."""
 
 
 @dataclass(frozen=True)
@@ -34,6 +36,7 @@ class Sent:
     stage: Stage
     place: int
     expected: int
+    attempt: int
     skill: str
     seconds: float | None
     agreed: bool
@@ -53,6 +56,7 @@ class Sent:
             stage=stage,
             place=_whole(data.get("place")),
             expected=_whole(data.get("expected")),
+            attempt=_whole(data.get("attempt")),
             skill=str(data.get("skill") or "")[:200],
             seconds=_number(data.get("seconds")),
             agreed=data.get("agreed") is True,
@@ -129,12 +133,8 @@ class TakingPart:
 
     def _token(self, known: object, name: str, invite: str, parameters: Mapping[str, str]) -> str:
         token = known if isinstance(known, str) and visitor_token(known) == known else ""
-        if token:
-            try:
-                if self._enrolment.participant(token).study == name:
-                    return token
-            except ReibenchError:
-                pass  # of another database, or made up
+        if token and self._enrolment.is_same(token, name, parameters, invite):
+            return token
         return self._enrolment.arrive(
             name, parameters, invite=invite, simulated=self._simulated
         ).token
@@ -172,7 +172,9 @@ class TakingPart:
         return self._do(
             known,
             event,
-            lambda token, sent: self.flow.answer(token, sent.stage, sent.place, sent.answers),
+            lambda token, sent: self.flow.answer(
+                token, sent.stage, sent.place, sent.answers, sent.attempt
+            ),
         )
 
     def look(self, known: object, event: gr.EventData) -> Answer:
@@ -199,9 +201,9 @@ class TakingPart:
         notice = ""
         try:
             sent = Sent.read(data)
-            if sent.times:
-                self.flow.timed(token, sent.stage, sent.place, sent.expected, sent.times)
             page = act(token, sent)
+            if sent.times:  # only of what was accepted, so a doubled click leaves no second page
+                self.flow.timed(token, sent.stage, sent.place, sent.expected, sent.times)
             # within a task, what was said and the bar are on the page already
             stands = sent.expected > 0 and (page.stage, page.place) == (sent.stage, sent.place)
         except ReibenchError as problem:
@@ -246,5 +248,5 @@ def _number(value: object) -> float | None:
 
 def _times(data: Mapping[str, Any]) -> tuple[float, float, float] | None:
     found = [data.get(name) for name in ("shown", "left", "hidden")]
-    numbers = [float(each) for each in found if isinstance(each, int | float)]
+    numbers = [float(e) for e in found if isinstance(e, int | float) and 0 <= e < LATEST]
     return (numbers[0], numbers[1], numbers[2]) if len(numbers) == 3 else None

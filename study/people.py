@@ -5,13 +5,16 @@ from typing import Any, Literal
 
 from reibench.errors import ReibenchError, unknown
 from reibench.store import Store
+from reibench.store.schema import now
 from study.enrolment import Enrolment, log
 
+GONE = {"withdrawn": "has left the study", "no_consent": "has not agreed to take part"}
+"""States in which nothing is kept of somebody that could be judged."""
 Judgement = Literal["accept", "reject", "restore"]
 
 _PEOPLE = """
 select p.code, p.state, p.stage, p.place, p.slot, p.simulated, p.quiz_tries, p.arrived, p.seen,
-    p.ended, p.reason, p.version,
+    p.ended, p.reason, p.version, p.accepted,
     (select count(*) from assignments as a join records as r on r.id = a.record
         where a.participant = p.code and a.kind = 'trial' and r.status not null) as trials,
     (select count(*) from answers as w where w.participant = p.code and w.right = 0
@@ -38,6 +41,8 @@ class Person:
     ended: str | None
     reason: str
     version: str
+    accepted: str | None
+    """When a researcher accepted them."""
     trials: int
     """Finished ones."""
     inattentive: int
@@ -66,20 +71,26 @@ def judge(enrolment: Enrolment, name: str, code: str, judgement: Judgement, reas
         raise ReibenchError("Please give a reason; it is kept beside the decision.")
     with enrolment.store.writing() as database:
         row = database.execute(
-            "select state, stage from participants where study = ? and code = ?", [name, code]
+            "select state, before from participants where study = ? and code = ?", [name, code]
         ).fetchone()
         if row is None:
             raise unknown("participant", code, ())
-        state, stage = row
-        if state == "withdrawn":
-            raise ReibenchError(f"{code} has left the study; there is nothing to {judgement}.")
-        before = "finished" if stage == "over" else "active"
-        wanted = {"reject": "rejected", "restore": before, "accept": state}[judgement]
+        state, before = row
+        if state in GONE:
+            raise ReibenchError(f"{code} {GONE[state]}; there is nothing to {judgement}.")
         if (judgement == "restore") != (state == "rejected"):
             raise ReibenchError(f"{code} is {state}, so there is nothing to {judgement}.")
+        wanted = {"reject": "rejected", "restore": before, "accept": state}[judgement]
         database.execute(
-            "update participants set state = ?, reason = ? where code = ?",
-            [wanted, reason.strip()[:500], code],
+            "update participants set state = ?, before = ?, accepted = ?, reason = ?"
+            " where code = ?",
+            [
+                wanted,
+                state if judgement == "reject" else None,
+                now() if judgement == "accept" else None,
+                reason.strip()[:500],
+                code,
+            ],
         )
         log(database, name, code, judgement, reason.strip()[:500])
 

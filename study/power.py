@@ -13,6 +13,7 @@ from reibench.dialogue import REFERENCES
 from reibench.episode import Episode
 from reibench.errors import ReibenchError, unknown
 from reibench.score import wilson
+from reibench.store import Store
 from study.analysis import versus
 from study.config import Study
 from study.designs import Comer, designs
@@ -127,6 +128,17 @@ def _draw(chance: float, shift: float, choose: Random) -> bool:
     held = min(max(chance, 1e-6), 1 - 1e-6)
     odds = log(held / (1 - held)) + shift
     return choose.random() < 1 / (1 + exp(-odds))
+
+
+def outcomes_of(store: Store, run: str) -> dict[str, bool | float]:
+    """Return what a planner's run came to by episode; raises ReibenchError if it has no record."""
+    rows = store.query(
+        "select episode, status from records where run = ? and origin = 'run' and status not null",
+        [run],
+    )
+    if not rows:
+        raise ReibenchError(f"The database has no finished record of a run {run!r}.")
+    return {row["episode"]: row["status"] == "success" for row in rows}
 
 
 def by_reference(text: str, what: str) -> dict[str, float]:

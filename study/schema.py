@@ -41,3 +41,14 @@ def studies_and_participants(database: Database) -> None:
         " reason text not null default '', created text not null)",
     ):
         database.execute(statement)
+
+
+@migration
+def what_was_decided_about_participants(database: Database) -> None:
+    """Keep what somebody was before they were turned away, and when they were accepted."""
+    database.execute("alter table participants add column before text")
+    database.execute("alter table participants add column accepted text")
+    database.execute(
+        "update participants set before = case stage when 'over' then 'finished' else 'active' end"
+        " where state = 'rejected'"
+    )

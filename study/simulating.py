@@ -234,6 +234,7 @@ class _Visitor:
         now = 1000 * time()
         carried = {
             "seq": 1, "study": self._study, "stage": page.stage, "place": page.place,
+            "attempt": page.participant.quiz_tries,
             "shown": now - 2500, "left": now, "hidden": 0, **data,
         }  # fmt: skip
         event: Any = SimpleNamespace(_data=carried)

@@ -63,9 +63,8 @@ def ending_of(who: Participant) -> Ending | None:
         "no_consent": "no_consent", "failed_check": "failed_check", "withdrawn": "withdrawn",
         "finished": "completed",
     }  # fmt: skip
-    if who.state == "rejected" and who.stage == "over":
-        return "completed"  # they did it all and keep their code
-    return known.get(who.state)
+    # who was turned away after the end keeps the code of how it ended
+    return known.get((who.before or "") if who.state == "rejected" else who.state)
 
 
 def refuse_elsewhere(who: Participant, stage: Stage, place: int) -> None:
@@ -96,6 +95,14 @@ def end(database: Database, who: Participant, ending: Ending) -> None:
         [state, now(), now(), who.code],
     )
     log(database, who.study, who.code, ending)
+
+
+def wipe(database: Database, who: Participant) -> None:
+    """Delete what is known of somebody but for the code and the times of coming and going."""
+    for table in ("answers", "page_times"):
+        database.execute(f"delete from {table} where participant = ?", [who.code])
+    database.execute("update assignments set record = null where participant = ?", [who.code])
+    database.execute("update participants set parameters = '{}' where code = ?", [who.code])
 
 
 def after_tutorial(database: Database, who: Participant, study: Study) -> None:

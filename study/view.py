@@ -31,6 +31,7 @@ def where(page: Page) -> str:
         data_stage=page.stage,
         data_place=page.place,
         data_step=step,
+        data_attempt=page.participant.quiz_tries if page.stage == "quiz" else None,
         data_view="play" if playing else "card",
         data_shows=page.study.shows,
         data_left=None if page.seconds_left is None else round(max(page.seconds_left, 0)) + 1,

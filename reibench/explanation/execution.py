@@ -68,6 +68,8 @@ class _Failure:
         taken = len(self.record.steps)
         if self.record.said_done:
             return f"it was said to be done after step {taken}"
+        if self.record.expired:
+            return f"the time was up after step {taken}"
         return f"all {taken} steps were used"
 
 

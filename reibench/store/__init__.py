@@ -63,11 +63,13 @@ class Store(DatabaseFile):
         actor: str = "",
         origin: Origin = "run",
         visitor: str | None = None,
+        start: Event | None = None,
     ) -> str:
         """Note that an episode begins, and return its record's id.
 
         An unfinished record of the same run and episode is begun again: its steps are dropped,
-        for the same spec makes the same ones, and its attempts are counted.
+        for the same spec makes the same ones, and its attempts are counted. `start` is the event of
+        the reset, where it is known already: then a record is never without one.
         """
         with self.writing() as database:
             self._note_run(database, spec)
@@ -76,20 +78,8 @@ class Store(DatabaseFile):
             database.execute(
                 "insert or ignore into episodes values (?, ?, ?)", [key, episode.id, text]
             )
-            if origin == "run":
-                cut_short = database.execute(
-                    "select id from records where run = ? and episode = ? and origin = 'run'",
-                    [spec.id, episode.id],
-                ).fetchone()
-                if cut_short:
-                    database.execute("delete from steps where record = ?", [cut_short[0]])
-                    self.frames.forget(cut_short[0])
-                    database.execute(
-                        "update records set attempts = attempts + 1, steps = 0, status = null,"
-                        " started = ? where id = ?",
-                        [now(), cut_short[0]],
-                    )
-                    return str(cut_short[0])
+            if origin == "run" and (again := self._begun_again(database, spec, episode)):
+                return again
             record_id = uuid4().hex[:12]
             task = episode.task
             row = {
@@ -112,7 +102,26 @@ class Store(DatabaseFile):
             names = ", ".join(row)
             marks = ", ".join("?" * len(row))
             database.execute(f"insert into records ({names}) values ({marks})", list(row.values()))
+            if start:
+                self._note_start(database, record_id, start)
         return record_id
+
+    def _begun_again(self, database: Database, spec: RunSpec, episode: Episode) -> str | None:
+        """Begin the run's record of an episode anew, if there is one; return its id."""
+        cut_short = database.execute(
+            "select id from records where run = ? and episode = ? and origin = 'run'",
+            [spec.id, episode.id],
+        ).fetchone()
+        if not cut_short:
+            return None
+        database.execute("delete from steps where record = ?", [cut_short[0]])
+        self.frames.forget(cut_short[0])
+        database.execute(
+            "update records set attempts = attempts + 1, steps = 0, status = null,"
+            " finished = null, started = ? where id = ?",
+            [now(), cut_short[0]],
+        )
+        return str(cut_short[0])
 
     def _note_run(self, database: Database, spec: RunSpec) -> None:
         database.execute(
@@ -260,6 +269,12 @@ class Store(DatabaseFile):
         )
         return [(Decision(parse_skill(row["skill"])), row["seconds"]) for row in rows]
 
+    def has_start(self, record_id: str) -> bool:
+        """Whether it is known how the room was when a record began."""
+        return bool(
+            self.query("select 1 from records where id = ? and start_scene not null", [record_id])
+        )
+
     def steps_done(self, record_id: str) -> int:
         """Return how many steps of a record are committed."""
         [row] = self.query("select count(*) as steps from steps where record = ?", [record_id])
@@ -290,6 +305,7 @@ class Store(DatabaseFile):
             start=start,
             steps=tuple(steps),
             said_done=bool(row["said_done"]),
+            expired=row["status"] == "truncated" and row["steps"] < row["max_steps"],
             instruction=instruction,
             closing=thoughts.closing_from_json(row["closing"]),
             error=row["error"],

@@ -88,6 +88,8 @@ def person_verdict(status: Status, record: Record, budget: int) -> Verdict:
     if status == "success":
         return Verdict("Done: the instruction is carried out.", explain(record), "good")
     found = verdict(record, budget=budget)
+    if record.expired:
+        return Verdict("The time is up.", found.sentence, "bad")
     if status == "truncated":
         return Verdict(f"All {budget} steps are used.", found.sentence, "bad")
     return Verdict("Not carried out.", found.sentence, found.tone)

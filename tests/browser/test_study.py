@@ -223,3 +223,25 @@ def test_a_simulated_person_takes_part_in_a_real_browser(chromium, study):
     [row] = study.store.query("select simulated, state from participants")
     assert (row["simulated"], row["state"]) == (1, "finished")
     assert study.store.query("select count(*) as n from page_times")[0]["n"] > 10
+
+
+def test_a_doubled_click_is_one_answer(served, study):
+    person = served()
+    page = person.page
+    page.check("#agree")
+    page.dblclick("[data-do=agree]")
+    person.at("tutorial")
+    person.press("read")
+    person.at("practice")
+    person.press("done")
+    person.at("quiz")
+    for fieldset in page.locator("#questions fieldset").all():
+        fieldset.locator("input").nth(0).check()
+    page.dblclick("[data-do=answer]")
+    expect(page.locator("#where")).to_have_attribute("data-attempt", "1")
+    person.answer_quiz()
+    person.at("trial")
+    left = study.store.query("select stage, place, step from page_times")
+    assert len(left) == len({tuple(row.values()) for row in left}) + 1  # the quiz, twice
+    [row] = study.store.query("select quiz_tries from participants")
+    assert row["quiz_tries"] == 2

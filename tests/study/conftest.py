@@ -58,5 +58,6 @@ def go_to(flow, token, stage, place=0):
         elif page.stage in ("practice", "trial"):
             page = flow.done(token, page.stage, page.place, len(page.sitting.steps) + 1)
         else:
-            page = flow.answer(token, page.stage, page.place, right(page.questions))
+            tries = page.participant.quiz_tries if page.stage == "quiz" else 0
+            page = flow.answer(token, page.stage, page.place, right(page.questions), tries)
     return page

@@ -23,7 +23,8 @@ def ask(enrolment):
             return is_researcher(request)
 
         app.mount("/admin", build(Enrolment(enrolment.store)))
-        asking = TestClient(app, client=client, follow_redirects=False)
+        here = "http://127.0.0.1:7860"
+        asking = TestClient(app, base_url=here, client=client, follow_redirects=False)
         asking.headers.update(headers)
         return asking
 
@@ -36,6 +37,14 @@ def test_without_a_password_whoever_sits_at_the_server_is_one(ask, monkeypatch):
     assert ask(client=("192.168.1.7", 5)).get("/who").json() is False
     for header in ("X-Forwarded-For", "Forwarded", "X-Real-IP"):
         assert ask(**{header: "127.0.0.1"}).get("/who").json() is False
+
+
+def test_a_page_elsewhere_whose_name_leads_here_is_none(ask, monkeypatch):
+    monkeypatch.delenv(PASSWORD, raising=False)
+    for name in ("localhost:7860", "[::1]:7860", "127.0.0.1"):
+        assert ask(Host=name).get("/who").json() is True
+    for name in ("evil.example:7860", "localhost.evil.example", "127.0.0.1.evil.example"):
+        assert ask(Host=name).get("/who").json() is False
 
 
 def test_a_password_that_is_too_short_is_none(ask, monkeypatch):

@@ -7,9 +7,10 @@ import pytest
 from fastapi import FastAPI
 from fastapi.testclient import TestClient
 
+from reibench.errors import ReibenchError
 from study.admin import PASSWORD, build
 from study.flow import Flow
-from study.people import people_of
+from study.people import judge, people_of
 from study.simulating import Character, Simulation
 from tests.study.conftest import go_to
 
@@ -106,6 +107,29 @@ def test_rejecting_needs_a_reason_gives_the_place_back_and_can_be_undone(researc
     assert researcher.post(address, data=again).status_code == 303
     assert played.participant(token).state == "active"
     assert researcher.post(address, data=again).status_code == 400
+
+
+def test_who_failed_the_quiz_is_given_no_other_code_by_being_turned_away(played, short):
+    flow = Flow(played)
+    token = played.arrive(short.name, {}).token
+    page = go_to(flow, token, "quiz")
+    for tries in range(2):
+        wrong = {one.name: one.options[-1] for one in page.questions}
+        page = flow.answer(token, "quiz", 0, wrong, tries)
+    code = page.participant.code
+    assert page.ending == "failed_check"
+    judge(played, short.name, code, "reject", "a bot")
+    assert flow.page(token).ending == "failed_check"
+    judge(played, short.name, code, "restore", "no bot")
+    assert played.participant(token).state == "failed_check"
+
+
+def test_of_who_did_not_agree_there_is_nothing_to_judge(played, short):
+    token = played.arrive(short.name, {}).token
+    code = Flow(played).consent(token, agreed=False).participant.code
+    for judgement in ("accept", "reject"):
+        with pytest.raises(ReibenchError, match="has not agreed"):
+            judge(played, short.name, code, judgement, "why not")
 
 
 def test_a_study_is_paused_and_opened(researcher, played, short):

@@ -53,6 +53,11 @@ def test_any_change_is_another_version_a_word_of_a_text_too():
         ("seed = 1 ", "sede = 1 ", "Did you mean 'seed'"),
         ('shows = "text and room"', 'shows = "room"', "way to show"),
         ('"pick_keys.explicit-standard"', '"pick_kyes.explicit-standard"', "Did you mean"),
+        (
+            '"pick_keys.explicit-standard"',
+            '"pick_keys.explicit-standard", "pick_keys.mixed-short"',
+            "nobody meets the same one twice",
+        ),
         ('submission = "SESSION_ID"', 'submission = "SESSION"', "none of the parameters"),
         ('consent = "consent.md"', 'consent = "../../README.md"', "There is no text"),
         ('consent = "consent.md"', 'konsent = "consent.md"', "Did you mean 'consent'"),

@@ -3,12 +3,14 @@
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from types import SimpleNamespace
 
 import pytest
 
 from reibench.errors import ReibenchError, UnknownName
 from study.designs import designs
 from study.enrolment import Closed
+from study.pages import TakingPart
 
 
 def levels_of(enrolment, participant):
@@ -53,6 +55,27 @@ def test_a_design_that_needs_whole_tasks_says_so(example):
     pool = replace(example, episodes="explicit", tasks=9).chosen()
     with pytest.raises(ReibenchError, match="needs every task at every level"):
         designs.create("latin-square").check(pool[1:])
+
+
+def test_another_person_s_link_in_the_same_browser_is_another_person(enrolment, example):
+    enrolment.create(example)
+    page = TakingPart(enrolment)
+    first, second = enrolment.invite(example.name, 2)
+
+    def visit(known, **link):
+        request = SimpleNamespace(query_params={"study": example.name, **link})
+        return page.arrive(known, request)[0]
+
+    one = visit({}, invite=first)
+    assert visit(one) == one  # a reload, when the invitation is gone from the address
+    assert visit(one, invite=first) == one
+    other = visit(one, invite=second)
+    assert other != one
+    assert visit(other, invite=first) == one
+    prolific = visit(other, SESSION_ID="s1", PROLIFIC_PID="p")
+    assert prolific not in (one, other)
+    assert visit(prolific, SESSION_ID="s1") == visit(prolific) == prolific
+    assert visit(prolific, SESSION_ID="s2") != prolific
 
 
 def test_the_same_invitation_or_submission_is_the_same_person(enrolment, example):

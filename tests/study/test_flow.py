@@ -1,15 +1,21 @@
 """The participant's way, from the invitation to the code."""
 
+import signal
+import subprocess
+import sys
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
 from reibench.errors import ReibenchError, StaleStep, UnknownName, UnknownSkill
 from reibench.store import Store
-from study import view
+from study import people, view
 from study.enrolment import Closed, Enrolment
 from study.flow import Flow
 from tests.study.conftest import go_to, right
+
+ROOT = Path(__file__).parents[2]
 
 
 def everything(flow):
@@ -122,14 +128,25 @@ def test_a_wrong_quiz_is_explained_and_may_be_tried_once_more(flow, someone):
     page = flow.answer(someone, "quiz", 0, answers)
     assert page.stage == "quiz"
     assert [question.name for question in page.wrong] == ["shut"]
-    assert flow.answer(someone, "quiz", 0, right(page.questions)).stage == "trial"
+    assert flow.answer(someone, "quiz", 0, right(page.questions), 1).stage == "trial"
+
+
+def test_a_doubled_click_at_the_quiz_is_one_try(flow, someone):
+    page = go_to(flow, someone, "quiz")
+    answers = right(page.questions) | {"shut": page.questions[0].options[0]}
+    flow.answer(someone, "quiz", 0, answers)
+    before = everything(flow)
+    with pytest.raises(StaleStep, match="answered already"):
+        flow.answer(someone, "quiz", 0, answers)
+    assert everything(flow) == before
+    assert flow.page(someone).stage == "quiz"
 
 
 def test_a_second_wrong_quiz_ends_with_its_own_code(flow, someone, short):
     page = go_to(flow, someone, "quiz")
     answers = right(page.questions) | {"shut": page.questions[0].options[0]}
-    for _ in range(2):
-        page = flow.answer(someone, "quiz", 0, answers)
+    for tries in range(2):
+        page = flow.answer(someone, "quiz", 0, answers, tries)
     assert (page.stage, page.ending) == ("over", "failed_check")
     assert page.code == short.codes["failed_check"]
     with pytest.raises(StaleStep):
@@ -140,6 +157,15 @@ def test_who_does_not_agree_is_let_go(flow, someone, short):
     page = flow.consent(someone, agreed=False)
     assert (page.ending, page.code) == ("no_consent", short.codes["no_consent"])
     assert not flow.enrolment.store.query("select * from records")
+
+
+def test_nothing_is_kept_about_who_does_not_agree(flow, someone):
+    flow.consent(someone, agreed=False)
+    flow.timed(someone, "consent", 0, 0, (1000.0, 2000.0, 0.0))
+    [row] = flow.enrolment.store.query("select * from participants")
+    assert row["parameters"] == "{}"
+    assert not flow.enrolment.store.query("select * from page_times")
+    assert flow.enrolment.arrive(row["study"], {"SESSION_ID": "s"}).token == someone
 
 
 @pytest.mark.parametrize(
@@ -181,6 +207,8 @@ def test_leaving_deletes_what_was_done_and_keeps_that_somebody_was_here(flow, so
     [row] = kept["participants"]
     assert (row["state"], row["parameters"]) == ("withdrawn", "{}")
     assert not flow.enrolment.store.query("select * from page_times")
+    flow.timed(someone, "trial", 1, 1, (1000.0, 2000.0, 0.0))
+    assert not flow.enrolment.store.query("select * from page_times")
     again = flow.enrolment.arrive(short.name, {"SESSION_ID": "s"})
     assert again.state == "withdrawn"
     assert flow.withdraw(someone).ending == "withdrawn"
@@ -207,6 +235,8 @@ def test_a_trial_whose_time_is_up_ends_by_itself(enrolment, short):
     with pytest.raises(StaleStep, match="over"):
         flow.step(token, "trial", 0, "find a fridge", 1, 1)
     assert flow.page(token).stage == "after"
+    record = enrolment.store.record(page.sitting.id)
+    assert (record.status, record.said_done, record.expired) == ("truncated", False, True)
 
 
 def test_a_spent_budget_ends_a_trial(enrolment, short):
@@ -263,3 +293,46 @@ def test_whoever_does_something_keeps_their_place(flow, someone, enrolment):
     flow.step(someone, "trial", 0, "find a fridge", 1, 1)
     [row] = enrolment.store.query("select seen from participants")
     assert row["seen"] > "2021"
+
+
+def killed(path, moment):
+    """Kill a server of its own, as it comes to `moment` of a participant's first practice task."""
+    program = f"""
+import os, signal, sys
+from reibench.store import Store
+from study.enrolment import Enrolment
+from study.flow import Flow
+from tests.study.conftest import go_to
+store = Store({str(path)!r})
+flow = Flow(Enrolment(store))
+[row] = store.query("select token from participants")
+Store.{moment} = lambda *arguments: os.kill(os.getpid(), signal.SIGKILL)
+go_to(flow, row["token"], "practice")
+"""
+    done = subprocess.run([sys.executable, "-c", program], cwd=ROOT, timeout=60, check=False)
+    assert done.returncode == -signal.SIGKILL
+
+
+@pytest.mark.parametrize("moment", ["_note_start", "entries", "steps_done"])
+def test_a_server_killed_as_a_task_begins_leaves_nobody_locked_out(flow, someone, tmp_path, moment):
+    killed(tmp_path / "study.db", moment)
+    page = go_to(flow, someone, "practice")
+    assert page.sitting.steps == ()
+    flow.step(someone, "practice", 0, "find a fridge", 1, 1)
+    flow.withdraw(someone)
+    assert not flow.enrolment.store.query("select * from records")
+
+
+def test_who_is_turned_away_meanwhile_stays_so(flow, someone, enrolment, short):
+    page = go_to(flow, someone, "after", 1)
+    people.judge(enrolment, short.name, page.participant.code, "reject", "a bot")
+    with pytest.raises(StaleStep):
+        flow.answer(someone, "after", 1, right(page.questions))
+    assert flow.page(someone).participant.state == "rejected"
+
+
+@pytest.mark.parametrize("number", ["9" * 5000, "0", "08", "-1", "\u0663"])
+def test_a_number_that_is_no_point_of_a_scale_is_refused(flow, someone, number):
+    go_to(flow, someone, "after")
+    with pytest.raises(ReibenchError):
+        flow.answer(someone, "after", 0, {"confidence": number, "meant": "Mug"})

@@ -5,8 +5,13 @@ from dataclasses import replace
 import pytest
 
 from reibench.errors import ReibenchError
+from reibench.rollout import Rollout
+from reibench.run import RunSpec, evaluate
+from reibench.store import Store
+from reibench.worlds.embedded import embedded_world
 from study.__main__ import main
-from study.power import Expected, by_reference, power
+from study.config import read_study
+from study.power import Expected, by_reference, outcomes_of, power
 from tests.study.conftest import EXAMPLE
 
 
@@ -39,6 +44,18 @@ def test_a_run_s_own_outcomes_stand_for_the_planner(small):
     known = replace(expected("0.9", "0.9"), planner={**by_reference("0.9", ""), **outcomes})
     [found] = power(small, known, [6], simulations=10)
     assert found.difference > 0.7
+
+
+def test_a_run_is_what_the_command_line_recorded_not_what_a_visitor_watched(tmp_path, capsys):
+    store = Store(tmp_path / "runs.db")
+    spec = RunSpec(planner="expert").versioned()
+    episode = read_study(EXAMPLE).chosen()[0]
+    list(evaluate(spec, [episode], None, embedded_world(), store))
+    watched = Rollout(episode, embedded_world())
+    watched.start()
+    started = store.begin(spec, episode, origin="demo", visitor="v", start=watched.first_event)
+    store.finish(started, watched, "expert", error="The visitor left before it was over.")
+    assert outcomes_of(store, spec.id) == {episode.id: True}
 
 
 @pytest.mark.parametrize("text", ["2", "x", "explicit=0.5", "explicit=0.5,odd=0.2", ""])

@@ -1,5 +1,5 @@
 // A participant's page: what they press, and when the page was shown and left, by their own clock.
-import { send } from "./bus.js";
+import { isBusy, send } from "./bus.js";
 import { announce, onChange } from "./page.js";
 import "./main.js";
 
@@ -25,6 +25,7 @@ window.reiExtra = () => ({
   study: study(),
   stage: where().stage,
   place: Number(where().place ?? 0),
+  attempt: Number(where().attempt ?? 0),
   shown: shownAt,
   left: Date.now(),
   hidden,
@@ -37,11 +38,14 @@ function answers() {
   return form ? Object.fromEntries(new FormData(form)) : {};
 }
 
+/** Send what leads on, but not while the answer to a first click is still to come. */
+const once = (name, data) => isBusy() || send(name, data);
+
 const DO = {
-  agree: () => send("consent", { agreed: true }),
-  decline: () => send("consent", { agreed: false }),
-  read: () => send("read"),
-  answer: () => send("answer", { answers: answers() }),
+  agree: () => once("consent", { agreed: true }),
+  decline: () => once("consent", { agreed: false }),
+  read: () => once("read"),
+  answer: () => once("answer", { answers: answers() }),
   withdraw: () => {
     document.querySelector("#leaving")?.close();
     send("withdraw");
@@ -85,7 +89,7 @@ onChange(() => {
   const at = where();
   root.dataset.view = at.view ?? "card";
   root.dataset.shows = at.shows ?? "";
-  const now = `${at.stage}/${at.place}/${at.step}`;
+  const now = `${at.stage}/${at.place}/${at.step}/${at.attempt ?? ""}`;
   if (now === last || at.stage === undefined) return;
   const stage = `${at.stage}/${at.place}`;
   const fresh = !last.startsWith(`${stage}/`);
