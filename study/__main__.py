@@ -159,7 +159,8 @@ def _export(arguments: Namespace) -> int:
 
 
 def _analysis(arguments: Namespace) -> int:
-    from study.analysis import analyse, draw, lines  # pandas takes a second to import
+    from study.analysis import analyse, draw  # pandas takes a second to import
+    from study.telling import lines
 
     runs, enrolment = listed(arguments.runs), _enrolment(arguments)
     found = analyse(enrolment, arguments.study, runs, everybody=arguments.everybody)

@@ -8,17 +8,28 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Annotated, get_args
 
-from fastapi import Depends, FastAPI, Form, HTTPException, Request
+from fastapi import Depends, FastAPI, Form, HTTPException, Query, Request
 from fastapi.responses import HTMLResponse, RedirectResponse, Response
 from fastapi.security import HTTPBasic, HTTPBasicCredentials
 
 from reibench.errors import ReibenchError, UnknownName
-from study import admin_view
 from study.access import COOKIE, LEAST, PASSWORD, password, signed
 from study.enrolment import RUN_STATES, Enrolment
 from study.exporting import export
-from study.people import Judgement, judge, people_of, trials_of
-from study.status import status_of
+from study.people import (
+    Judgement,
+    Person,
+    answers_of,
+    history_of,
+    judge,
+    people_of,
+    trials_of,
+)
+from study.researchers import dashboard, results, studies
+from study.researchers.frame import trouble
+from study.researchers.person import person as person_page
+from study.researchers.trial import LATEST, trial
+from study.status import overview, status_of
 
 Guard = Callable[..., None]
 
@@ -32,7 +43,7 @@ def build(enrolment: Enrolment) -> FastAPI:
     @app.exception_handler(ReibenchError)
     def told(request: Request, problem: ReibenchError) -> Response:
         status = 404 if isinstance(problem, UnknownName) else 400
-        return HTMLResponse(admin_view.trouble(str(problem)), status)
+        return HTMLResponse(trouble(str(problem)), status)
 
     _serve_studies(app, enrolment)
     _serve_people(app, enrolment)
@@ -41,21 +52,24 @@ def build(enrolment: Enrolment) -> FastAPI:
 
 def _serve_studies(app: FastAPI, enrolment: Enrolment) -> None:
     @app.get("/")
-    def studies() -> HTMLResponse:
-        return HTMLResponse(admin_view.studies(enrolment.studies()))
+    def all_studies() -> HTMLResponse:
+        return HTMLResponse(studies.studies(overview(enrolment)))
 
     @app.get("/-/cases")
-    def cases() -> Response:
-        shown = RedirectResponse("/cases", 303)
+    def cases(runs: Annotated[str, Query(pattern="^[0-9a-f]*$")] = "") -> Response:
+        shown = RedirectResponse(f"/cases?runs={runs}" if runs else "/cases", 303)
         shown.set_cookie(COOKIE, signed(COOKIE), httponly=True, samesite="strict")
         return shown
 
     @app.get("/{name}")
-    def study(name: str) -> HTMLResponse:
-        real, simulated = (status_of(enrolment, name, simulated=each) for each in (False, True))
-        people = people_of(enrolment, name)
+    def study(name: str, who: str = "") -> HTMLResponse:
+        about, people = enrolment.study(name), people_of(enrolment, name)
+        # a study that is only being tried has nobody else to show
+        tried = bool(people) and all(one.simulated for one in people)
+        simulated = who == "simulated" or (who != "real" and tried)
+        status = status_of(enrolment, name, simulated=simulated)
         return HTMLResponse(
-            admin_view.study(enrolment.study(name), real, simulated, people, _token(name))
+            dashboard.study(about, status, people, _token(name), simulated=simulated)
         )
 
     @app.post("/{name}/state")
@@ -74,13 +88,14 @@ def _serve_studies(app: FastAPI, enrolment: Enrolment) -> None:
 
     @app.get("/{name}/analysis")
     def analysis(name: str, everybody: bool = False) -> HTMLResponse:
-        from study.analysis import analyse, draw, lines  # pandas takes a second to import
+        from study.analysis import analyse, draw  # pandas takes a second to import
 
         found = analyse(enrolment, name, everybody=everybody)
         with TemporaryDirectory() as folder:
             drawn = draw(enrolment, name, Path(folder), everybody=everybody)
             [picture] = [file.read_text() for file in drawn if file.suffix == ".svg"]
-        return HTMLResponse(admin_view.analysis(name, lines(found), picture, everybody=everybody))
+        title = enrolment.study(name).title
+        return HTMLResponse(results.results(name, title, found, picture, everybody=everybody))
 
     @app.get("/{name}/export.zip")
     def download(name: str, everybody: bool = False) -> Response:
@@ -97,11 +112,11 @@ def _serve_studies(app: FastAPI, enrolment: Enrolment) -> None:
 def _serve_people(app: FastAPI, enrolment: Enrolment) -> None:
     @app.get("/{name}/people/{code}")
     def person(name: str, code: str) -> HTMLResponse:
-        found = next((one for one in people_of(enrolment, name) if one.code == code), None)
-        if found is None:
-            raise HTTPException(404, "There is nobody of that code.")
-        trials = trials_of(enrolment, name, code)
-        return HTMLResponse(admin_view.person(name, found, trials, _token(name)))
+        found = _of_code(enrolment, name, code)
+        about = enrolment.study(name, found.version)
+        trials, answers = trials_of(enrolment, name, code), answers_of(enrolment, name, code)
+        history = history_of(enrolment, name, code)
+        return HTMLResponse(person_page(about, found, trials, answers, history, _token(name)))
 
     @app.post("/{name}/people/{code}")
     def decide(
@@ -119,10 +134,21 @@ def _serve_people(app: FastAPI, enrolment: Enrolment) -> None:
         return RedirectResponse(code, 303)
 
     @app.get("/{name}/people/{code}/{record}")
-    def replay(name: str, code: str, record: str, step: int = 0) -> HTMLResponse:
-        if record not in [one["record"] for one in trials_of(enrolment, name, code)]:
-            raise HTTPException(404, "There is no such trial of theirs.")
-        return HTMLResponse(admin_view.replay(name, code, enrolment.store.record(record), step))
+    def replay(name: str, code: str, record: str, step: int = LATEST) -> HTMLResponse:
+        found = _of_code(enrolment, name, code)
+        trials = {one["record"]: one for one in trials_of(enrolment, name, code)}
+        if record not in trials:
+            raise HTTPException(404, "There is no such task of theirs.")
+        about = enrolment.study(name, found.version)
+        played = enrolment.store.record(record)
+        return HTMLResponse(trial(about, found, played, trials[record]["status"], step))
+
+
+def _of_code(enrolment: Enrolment, name: str, code: str) -> Person:
+    found = next((one for one in people_of(enrolment, name) if one.code == code), None)
+    if found is None:
+        raise HTTPException(404, "There is nobody of that code.")
+    return found
 
 
 def _admitted(

@@ -10,12 +10,14 @@ from typing import Any
 
 import pandas as pd
 
+from reibench.dialogue import REFERENCES
 from reibench.errors import ReibenchError
+from reibench.household.objects import object_types
 from reibench.methods import Instruction
 from reibench.planners.expert import Expert
 from reibench.report.figures import draw_beside_people
 from reibench.rollout import Rollout, drive
-from reibench.score import bootstrap, sign_test, summarise
+from reibench.score import bootstrap, sign_test, summarise, wilson
 from reibench.tally import records_frame
 from reibench.worlds.embedded import embedded_world
 from reibench.worlds.rules import rules_called
@@ -104,6 +106,7 @@ def analyse(
         "seconds_a_step": _spread(_pace(frame)),
         "steps_per_expert_step": _spread(pd.Series(_to_the_expert(frame, enrolment, name))),
         "agreement": agreement(frame),
+        "meant": meant(enrolment, frame),
     }
     compared = _runs(planners, runs)
     found["versus"] = [asdict(versus(frame, planners, run)) for run in compared]
@@ -214,6 +217,33 @@ def agreement(frame: pd.DataFrame) -> dict[str, Any]:
     return {"pairs": pairs, "same": same, "share": same / pairs if pairs else None}
 
 
+def meant(enrolment: Enrolment, frame: pd.DataFrame) -> list[dict[str, Any]]:
+    """Say how often people named the object that was meant, where a question asks for it.
+
+    Returns one row for each level of reference with `right` of `asked` and a 95 % Wilson interval.
+    """
+    rows = enrolment.store.query(
+        "select a.record as id, answer, question from answers as w join assignments as a"
+        " on a.participant = w.participant and a.place = w.place and a.kind = 'trial'"
+        " where w.stage = 'after' and a.record not null"
+    )
+    said = pd.DataFrame(rows, columns=["id", "answer", "question"])
+    said = said[said["answer"].isin(object_types())].drop_duplicates(["id", "question"])
+    both = frame.merge(said, on="id")
+    objects = {episode.task.id: episode.task.goal.object for episode in all_episodes()}
+    found = []
+    for reference in REFERENCES:
+        here = both[both["level"].str.startswith(f"{reference}-")]
+        right = int((here["task"].map(objects) == here["answer"]).sum())
+        if len(here):
+            low, high = wilson(right, len(here))
+            found.append(
+                {"reference": reference, "right": right, "asked": len(here), "low": low,
+                 "high": high}
+            )  # fmt: skip
+    return found
+
+
 def _to_the_expert(frame: pd.DataFrame, enrolment: Enrolment, name: str) -> list[float]:
     """Return how many times the expert's steps each solved trial took."""
     rules = rules_called(enrolment.study(name).rules)
@@ -244,54 +274,3 @@ def _spread(values: "pd.Series[float]") -> Mapping[str, float | int | None]:
         return {"number": 0, "median": None, "low": None, "high": None}
     low, high = pd.Series(kept).quantile([0.25, 0.75])
     return {"number": len(kept), "median": median(kept), "low": float(low), "high": float(high)}
-
-
-def lines(found: Mapping[str, Any]) -> list[str]:
-    """Return an analysis as text."""
-    told = [f"{found['study']}: {found['people']} people, {found['trials']} finished trials"]
-    for title, key in (("all", "overall"), ("by level", "by_level"), ("by type", "by_task_type")):
-        told.append(f"success {title}:")
-        for row in found[key]:
-            label = row[{"overall": "all", "by_level": "level", "by_task_type": "task_type"}[key]]
-            told.append(
-                f"  {label:<34} {row['success']:>4} of {row['episodes']:<4}"
-                f" {_percent(row['success_rate'])} [{_percent(row['success_low'])},"
-                f" {_percent(row['success_high'])}]  object omission {row['object_omission']},"
-                f" execution error {row['execution_error']}"
-            )
-    for key in ("seconds_a_step", "steps_per_expert_step"):
-        spread = found[key]
-        if spread["number"]:
-            told.append(
-                f"{key.replace('_', ' ')}: median {spread['median']:.2f}"
-                f" (quartiles {spread['low']:.2f} to {spread['high']:.2f})"
-            )
-    same = found["agreement"]
-    if same["pairs"]:
-        told.append(f"two people on one episode agree: {same['same']} of {same['pairs']} pairs")
-    for one, fit in zip(found["versus"], found["model"], strict=True):
-        told += _versus_lines(one, fit)
-    return told
-
-
-def _versus_lines(one: Mapping[str, Any], fit: Mapping[str, Any]) -> list[str]:
-    if not one["trials"]:
-        return [f"people and {one['planner']} ({one['run']}) share no episode"]
-    told = [
-        f"people against {one['planner']} ({one['run']}), {one['trials']} trials on"
-        f" {one['episodes']} episodes: {_percent(one['person'])} and {_percent(one['other'])},"
-        f" {one['only_person']} : {one['only_other']}, McNemar p = {one['p']:.3g},"
-        f" difference {100 * one['difference']:+.1f} points"
-        f" [{100 * one['low']:+.1f}, {100 * one['high']:+.1f}]"
-    ]
-    if "note" in fit:
-        return [*told, f"  mixed-effects model: {fit['note']}"]
-    return [
-        *told,
-        f"  mixed-effects logistic model: log odds of a person {fit['person_log_odds']:+.2f}"
-        f" [{fit['low']:+.2f}, {fit['high']:+.2f}]",
-    ]
-
-
-def _percent(value: float) -> str:
-    return f"{100 * value:.1f}%"

@@ -20,7 +20,9 @@ select p.code, p.state, p.stage, p.place, p.slot, p.simulated, p.quiz_tries, p.a
     (select count(*) from answers as w where w.participant = p.code and w.right = 0
         and w.stage != 'quiz') as inattentive,
     (select avg(s.seconds) from steps as s join assignments as a on a.record = s.record
-        where a.participant = p.code and a.kind = 'trial') as seconds
+        where a.participant = p.code and a.kind = 'trial') as seconds,
+    (select coalesce(sum(hidden), 0) / 1000 from page_times as t
+        where t.participant = p.code) as hidden
 from participants as p where p.study = ? order by p.arrived desc
 """
 
@@ -49,6 +51,8 @@ class Person:
     """Attention checks answered wrongly."""
     seconds: float | None
     """A step, on average."""
+    hidden: float
+    """Seconds in which the study's page was out of sight."""
 
 
 def people_of(enrolment: Enrolment, name: str) -> list[Person]:
@@ -98,9 +102,29 @@ def judge(enrolment: Enrolment, name: str, code: str, judgement: Judgement, reas
 def trials_of(enrolment: Enrolment, name: str, code: str) -> list[dict[str, Any]]:
     """Return somebody's trials that were begun, in order."""
     return enrolment.store.query(
-        "select a.kind, a.place, r.id as record, r.episode, r.status, r.steps from assignments as a"
+        "select a.kind, a.place, r.id as record, r.episode, r.status, r.steps, r.reason,"
+        " (select sum(seconds) from steps where record = r.id) as seconds from assignments as a"
         " join records as r on r.id = a.record join participants as p on p.code = a.participant"
         " where p.study = ? and p.code = ? order by a.kind, a.place",
+        [name, code],
+    )
+
+
+def answers_of(enrolment: Enrolment, name: str, code: str) -> list[dict[str, Any]]:
+    """Return what somebody answered, in order."""
+    return enrolment.store.query(
+        "select w.stage, w.place, question, attempt, answer, right from answers as w"
+        " join participants as p on p.code = w.participant"
+        " where p.study = ? and p.code = ? order by created, w.rowid",
+        [name, code],
+    )
+
+
+def history_of(enrolment: Enrolment, name: str, code: str) -> list[dict[str, Any]]:
+    """Return what was noted about somebody, the latest first."""
+    return enrolment.store.query(
+        "select created, what, reason from study_log where study = ? and participant = ?"
+        " order by created desc",
         [name, code],
     )
 

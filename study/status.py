@@ -27,3 +27,15 @@ def status_of(enrolment: Enrolment, name: str, *, simulated: bool = False) -> di
         "people": {row["state"]: row["number"] for row in people},
         "cells": dict(levels),
     }
+
+
+def overview(enrolment: Enrolment) -> list[dict[str, Any]]:
+    """Return every study with its state and how many people it has."""
+    return enrolment.store.query(
+        "select name, s.version, s.state, s.created,"
+        " coalesce(sum(p.state = 'active' and not simulated), 0) as active,"
+        " coalesce(sum(p.state = 'finished' and not simulated), 0) as finished,"
+        " coalesce(sum(simulated), 0) as simulated"
+        " from studies as s left join participants as p on p.study = name group by name"
+        " order by name"
+    )

@@ -10,9 +10,9 @@ from fastapi.testclient import TestClient
 from reibench.errors import ReibenchError
 from study.admin import PASSWORD, build
 from study.flow import Flow
-from study.people import judge, people_of
+from study.people import judge, people_of, trials_of
 from study.simulating import Character, Simulation
-from tests.study.conftest import go_to
+from tests.study.conftest import go_to, right
 
 SECRET = "correct horse battery"
 PATHS = (
@@ -73,10 +73,60 @@ def test_it_shows_who_is_where_and_how_full_the_cells_are(researcher, played, sh
     page = researcher.get("/admin/household").text
     code = flow.page(token).participant.code
     assert code in page
-    assert "trial 2" in page
-    assert "1 people take part or have finished of 36 planned" in page
-    assert "2 simulated" in page
-    assert "explicit-standard" in page
+    assert "Task 2" in page
+    assert "<b>1</b><span>taking part now" in page
+    assert "finished of 36 planned" in page
+    assert page.count(": 1 held") == short.trials
+    assert page.count(": 0 held") == 9 - short.trials
+    simulated = researcher.get("/admin/household?who=simulated").text
+    assert code not in simulated
+    assert "<b>2</b><span>finished of 36 planned" in simulated
+    assert '<td class="n">2</td>' in researcher.get("/admin/").text
+
+
+def test_where_a_study_is_only_tried_its_simulated_people_are_shown(researcher, played, short):
+    page = researcher.get("/admin/household").text
+    assert all(one.code in page for one in people_of(played, short.name))
+
+
+def test_what_somebody_answered_and_what_was_decided_is_shown_as_text(researcher, played, short):
+    flow = Flow(played)
+    token = played.arrive(short.name, {}).token
+    page = go_to(flow, token, "end")
+    said = right(page.questions) | {"remarks": "<img src=x onerror=alert(1)>"}
+    code = flow.answer(token, "end", 0, said).participant.code
+    judge(played, short.name, code, "accept", "<b>good</b>")
+    shown = researcher.get(f"/admin/household/people/{code}").text
+    assert "&lt;img src=x" in shown
+    assert "<img src=x" not in shown
+    assert "&lt;b&gt;good" in shown
+    assert "Which object was meant?" in shown
+    assert ">accepted<" in shown
+    assert ">accepted<" in researcher.get("/admin/household?who=real").text
+
+
+def test_a_task_that_is_being_played_is_followed(researcher, played, short):
+    flow = Flow(played)
+    token = played.arrive(short.name, {}).token
+    page = go_to(flow, token, "trial")
+    address = f"/admin/household/people/{page.participant.code}/{page.sitting.id}"
+    assert "After step 0 of 0" in researcher.get(address).text
+    flow.step(token, "trial", 0, "find a fridge", 1, 1)
+    latest = researcher.get(address).text
+    assert "After step 1 of 1" in latest
+    assert "data-live" in latest
+    assert "data-live" not in researcher.get(f"{address}?step=0").text
+
+
+def test_a_finished_task_leads_to_its_case(researcher, played, short):
+    one = people_of(played, short.name)[0]
+    [trial, *_] = [row for row in trials_of(played, short.name, one.code) if row["status"]]
+    address = f"/admin/-/cases?runs={trial['record']}"
+    assert address in researcher.get(
+        f"/admin/household/people/{one.code}/{trial['record']}"
+    ).text.replace("&amp;", "&")
+    assert researcher.get(address).headers["location"] == f"/cases?runs={trial['record']}"
+    assert researcher.get("/admin/-/cases?runs=//evil.example").status_code == 422
 
 
 def test_a_trial_is_replayed_step_by_step(researcher, played, short):
@@ -159,7 +209,7 @@ def test_a_name_that_is_none_is_refused_and_shown_as_text(researcher, played, na
 def test_an_analysis_is_shown_with_its_figure(researcher):
     assert "Nobody has finished" in researcher.get("/admin/household/analysis").text
     page = researcher.get("/admin/household/analysis?everybody=true").text
-    assert "success by level" in page
+    assert "Success by level" in page
     assert "<svg" in page
 
 

@@ -11,8 +11,9 @@ from reibench.errors import ReibenchError
 from reibench.run import RunSpec, evaluate
 from reibench.worlds.embedded import embedded_world
 from study.__main__ import main
-from study.analysis import agreement, analyse, draw, lines, mixed_model, trials_frame, versus
+from study.analysis import agreement, analyse, draw, mixed_model, trials_frame, versus
 from study.simulating import Character, Simulation
+from study.telling import lines
 
 
 def frame(rows):
@@ -81,6 +82,23 @@ def test_it_recovers_the_skill_of_simulated_people_within_its_interval(studied):
     assert found["steps_per_expert_step"]["median"] < 1.3
 
 
+def test_what_people_took_the_words_to_mean_is_counted_as_by_hand(studied):
+    enrolment, study = studied
+    meant = {episode.id: episode.task.goal.object for episode in study.chosen()}
+    rows = enrolment.store.query(
+        "select answer, episode, level from answers as w join assignments as a"
+        " on a.participant = w.participant and a.place = w.place and a.kind = 'trial'"
+        " where w.question = 'meant'"
+    )
+    found = analyse(enrolment, study.name, everybody=True)["meant"]
+    assert [one["reference"] for one in found] == ["explicit", "mixed", "implicit"]
+    for one in found:
+        here = [row for row in rows if row["level"].startswith(one["reference"])]
+        assert one["asked"] == len(here)
+        assert one["right"] == sum(row["answer"] == meant[row["episode"]] for row in here)
+        assert one["low"] <= one["right"] / one["asked"] <= one["high"]
+
+
 def test_a_step_takes_as_long_as_its_clicks_did(studied):
     enrolment, study = studied
     rows = enrolment.store.query(
@@ -103,6 +121,7 @@ def test_people_are_counted_beside_every_run_of_the_database(studied):
     assert fit["person_log_odds"] < 0
     told = "\n".join(lines(found))
     assert "people against expert" in told
+    assert "named the object that was meant:" in told
     assert "log odds of a person -" in told
 
 

@@ -1,0 +1,1 @@
+"""What researchers see: each file one page, as pure functions to HTML."""
