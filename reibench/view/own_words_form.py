@@ -78,7 +78,10 @@ def _goal(said: Wording, there: Choices) -> str:
         "input", type="text", name="vague", value=said.vague, maxlength=300,
         placeholder="the heated one, it",
     )  # fmt: skip
-    private = "Nobody but the page reads this; the planners see only the words."
+    private = (
+        "The planners see only the words. What you write, and what they did with it, can"
+        " afterwards be read by everybody who opens these pages."
+    )
     return element(
         "div",
         element("h2", "What would count as done"),

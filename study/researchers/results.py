@@ -54,10 +54,9 @@ def _tiles(found: Found, overall: Found) -> list[str]:
         tile(rate, f"success [{low:.0f}, {high:.0f}]"),
         tile(_spread(pace, " s"), f"a step, median{_quartiles(pace)}"),
         tile(_spread(length, " ×"), f"the expert's steps{_quartiles(length)}"),
-        tile(
-            f"{same['same']} of {same['pairs']}" if same["pairs"] else "–",
-            "pairs of people agree on an episode",
-        ),
+        tile(f"{same['same']} of {same['pairs']}", "pairs of people agree on an episode")
+        if same["pairs"]
+        else tile("–", "agreement: no episode was played by two people"),
     ]
 
 

@@ -1,6 +1,7 @@
 """Pictures for the README, taken of the real app: `python -m tests.browser.screenshots`."""
 
 import argparse
+import os
 import tempfile
 from collections.abc import Sequence
 from pathlib import Path
@@ -11,11 +12,17 @@ from reibench.dataset.files import shipped_episodes
 from reibench.methods import Instruction
 from reibench.planners.expert import Expert
 from reibench.rollout import Rollout, drive
+from reibench.store import Store
 from reibench.worlds import worlds
+from study.access import PASSWORD
+from study.config import read_study
+from study.enrolment import Enrolment
+from study.simulating import Character, Simulation
 from tests.browser import serving
+from tests.study.conftest import EXAMPLE
 
 FOLDER = serving.ROOT / "docs" / "screenshots"
-EPISODE = "heat_potato.implicit-standard"
+SHOWN = "heat_potato.implicit-standard"
 DESKTOP = {"width": 1280, "height": 800}
 PHONE = {"width": 390, "height": 844}
 PATIENCE = 600_000
@@ -58,7 +65,7 @@ def save(page: Page, name: str) -> None:
 
 def person(browser: Browser, address: str, skills: Sequence[str]) -> None:
     """Take the pictures of somebody who acts."""
-    wanted = f"{address}/?episode={EPISODE}&actor=me"
+    wanted = f"{address}/?episode={SHOWN}&actor=me"
     for scheme, suffix in (("light", ""), ("dark", "-dark")):
         page = visit(browser, wanted, color_scheme=scheme)
         if not suffix:
@@ -126,12 +133,28 @@ def comparison(browser: Browser, database: Path) -> None:
         save(page, "comparison")
 
 
+def researchers(browser: Browser, database: Path) -> None:
+    """Take the pictures of what researchers see of a study that simulated people try."""
+    enrolment = Enrolment(Store(database))
+    study = read_study(EXAMPLE)
+    enrolment.create(study)
+    Simulation(enrolment, study.name, Character(), 1).run(14, together=2, tell=print)
+    os.environ[PASSWORD] = secret = "only for pictures"
+    with serving.app(database) as address:
+        known = {"username": "", "password": secret}
+        page = browser.new_context(viewport=DESKTOP, http_credentials=known).new_page()
+        for name, path in (("study-researchers", ""), ("study-analysis", "/analysis")):
+            page.goto(f"{address}/admin/{study.name}{path}?everybody=true")
+            page.wait_for_timeout(600)
+            save(page, name)
+
+
 def main() -> None:
     """Take all pictures, or only those of a person (no language model) or of planners (one)."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--model", default="", help="for the side by side; the best one if empty")
-    parser.add_argument("--episodes", default=EPISODE, help="to try for it, with commas")
-    parser.add_argument("--only", choices=("person", "planners", "cases"))
+    parser.add_argument("--episodes", default=SHOWN, help="to try for it, with commas")
+    parser.add_argument("--only", choices=("person", "planners", "cases", "researchers"))
     parser.add_argument("--runs", type=Path, help="a database of runs, for the comparison")
     given = parser.parse_args()
     FOLDER.mkdir(parents=True, exist_ok=True)
@@ -141,11 +164,13 @@ def main() -> None:
         serving.browser() as browser,
     ):
         if given.only in (None, "person"):
-            person(browser, address, expert_skills(EPISODE))
+            person(browser, address, expert_skills(SHOWN))
         if given.only in (None, "planners"):
             planners(browser, address, given.episodes.split(","))
         if given.only in (None, "cases"):
             cases(browser, address)
+        if given.only in (None, "researchers"):
+            researchers(browser, Path(folder) / "study.db")
         if given.runs:
             comparison(browser, given.runs)
 
