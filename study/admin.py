@@ -46,6 +46,7 @@ def build(enrolment: Enrolment) -> FastAPI:
         return HTMLResponse(trouble(str(problem)), status)
 
     _serve_studies(app, enrolment)
+    _serve_results(app, enrolment)
     _serve_people(app, enrolment)
     return app
 
@@ -86,6 +87,8 @@ def _serve_studies(app: FastAPI, enrolment: Enrolment) -> None:
         enrolment.set_state(name, wanted, reason[:500])
         return RedirectResponse(f"../{name}", 303)
 
+
+def _serve_results(app: FastAPI, enrolment: Enrolment) -> None:
     @app.get("/{name}/analysis")
     def analysis(name: str, everybody: bool = False) -> HTMLResponse:
         from study.analysis import analyse, draw  # pandas takes a second to import

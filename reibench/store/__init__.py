@@ -83,22 +83,13 @@ class Store(DatabaseFile):
             record_id = uuid4().hex[:12]
             task = episode.task
             row = {
-                "id": record_id,
-                "run": spec.id,
-                "origin": origin,
-                "visitor": visitor,
-                "actor": actor or spec.actor,
-                "episode": episode.id,
-                "episode_digest": key,
-                "task": task.id,
-                "task_type": str(task.goal.task_type),
-                "level": str(episode.vagueness),
-                "underdetermined": episode.underdetermined,
-                "room": task.setup.room,
-                "rules": spec.rules,
-                "max_steps": spec.max_steps,
+                "id": record_id, "run": spec.id, "origin": origin, "visitor": visitor,
+                "actor": actor or spec.actor, "episode": episode.id, "episode_digest": key,
+                "task": task.id, "task_type": str(task.goal.task_type),
+                "level": str(episode.vagueness), "underdetermined": episode.underdetermined,
+                "room": task.setup.room, "rules": spec.rules, "max_steps": spec.max_steps,
                 "started": now(),
-            }
+            }  # fmt: skip
             names = ", ".join(row)
             marks = ", ".join("?" * len(row))
             database.execute(f"insert into records ({names}) values ({marks})", list(row.values()))
