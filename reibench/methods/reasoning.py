@@ -4,7 +4,9 @@ import re
 from collections.abc import Sequence
 
 from reibench.backends import Backend, Generation, Prompt
-from reibench.methods.wording import THOUGHT
+from reibench.dialogue import Dialogue
+from reibench.methods import Instruction
+from reibench.methods.wording import THOUGHT, conversation, human_turns
 
 OPENING = 'The "Human Pending Instruction" may contain vague referring expressions.'
 """Begins the prompt of appendix C.2."""
@@ -58,6 +60,28 @@ def reasoned(question: str, begun: str, answer: Generation, longest: int) -> str
 def thought(reasoning: str) -> str:
     """Return the robot's note, a line for the planner's prompt; empty if there is nothing in it."""
     return f"{THOUGHT}{reasoning}" if reasoning else ""
+
+
+def with_thought(
+    dialogue: Dialogue, prompt: str, begun: str, backend: Backend, *, longest: int
+) -> Instruction:
+    """Return the instruction as it was said after the dialogue, with what the model thinks of both.
+
+    `prompt` is asked with the conversation in it; the answer goes on from `begun`, within `longest`
+    tokens, and what is of use in it becomes a note.
+    """
+    said = dialogue.instruction.text
+    question = prompt.format(conversation=conversation(dialogue))
+    answer = ask(question, begun, backend, longest=longest)
+    return Instruction(
+        said,
+        said,
+        context=human_turns(dialogue),
+        notes=thought(reasoned(question, begun, answer, longest)),
+        prompt=answer.prompt,
+        answer=answer.text,
+        usage=answer.usage,
+    )
 
 
 def _pieces(answer: str, *, cut_off: bool) -> list[str]:

@@ -3,8 +3,7 @@
 from reibench.backends import Backend
 from reibench.dialogue import Dialogue
 from reibench.methods import Instruction, methods
-from reibench.methods.reasoning import OPENING, ask, reasoned, thought
-from reibench.methods.wording import conversation, human_turns
+from reibench.methods.reasoning import OPENING, with_thought
 
 PROMPT = f"""\
 {OPENING}
@@ -32,15 +31,4 @@ class ShortChainOfThought:
 
     def instruct(self, dialogue: Dialogue, backend: Backend) -> Instruction:
         """Return the instruction as it was said, with what the model thought as a note."""
-        said = dialogue.instruction.text
-        question = PROMPT.format(conversation=conversation(dialogue))
-        answer = ask(question, BEGUN, backend, longest=LONGEST)
-        return Instruction(
-            said,
-            said,
-            context=human_turns(dialogue),
-            notes=thought(reasoned(question, BEGUN, answer, LONGEST)),
-            prompt=answer.prompt,
-            answer=answer.text,
-            usage=answer.usage,
-        )
+        return with_thought(dialogue, PROMPT, BEGUN, backend, longest=LONGEST)
