@@ -14,6 +14,7 @@ from types import SimpleNamespace
 from typing import Any, Protocol
 
 from reibench.episode import Episode
+from reibench.errors import ReibenchError
 from reibench.methods import Instruction
 from reibench.planners.expert import Expert
 from reibench.rollout import Rollout, drive
@@ -27,6 +28,8 @@ from study.places import pool_of
 from study.stages import Page
 
 Tell = Callable[[str], object]
+PATIENT = 20
+"""How often somebody tries in vain to get on before the simulation says so."""
 
 
 @dataclass(frozen=True)
@@ -110,7 +113,15 @@ class Simulation:
         """Lead a visitor through the whole study."""
         visitor.load()
         outcome = Outcome("", "")
+        before, refused = None, 0
         while (page := self._flow.page(visitor.token)).stage != "over":
+            here = (page.stage, page.place, page.participant.quiz_tries)
+            before, refused = here, refused + 1 if here == before else 0
+            if refused > PATIENT:
+                raise ReibenchError(
+                    f"{page.participant.code} cannot get on: whatever they do at the stage"
+                    f" {page.stage} is refused."
+                )
             outcome.code = page.participant.code
             if page.sitting is None:
                 self._think(choose)  # and read
