@@ -61,6 +61,10 @@ def make_app(database: str, model: str = "", world: str = "embedded") -> FastAPI
             raise HTTPException(404, "There is no such frame.")
         return FileResponse(path, media_type="image/png")
 
+    @app.get("/admin")
+    def researchers() -> RedirectResponse:
+        return RedirectResponse("/admin/")
+
     @app.get("/s/{study}")
     def take_part(study: str, request: Request) -> RedirectResponse:
         query = urlencode({"study": study, **request.query_params})

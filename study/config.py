@@ -23,6 +23,8 @@ from study.texts import fingerprint, read_text
 Shows = Literal["text", "text and room"]
 Kind = Literal["choice", "scale", "text", "object"]
 Ending = Literal["completed", "no_consent", "failed_check", "withdrawn"]
+MOST_POINTS = 11
+"""Of a scale: more do not fit on a phone."""
 ENDINGS: tuple[Ending, ...] = get_args(Ending)
 
 
@@ -191,6 +193,7 @@ def check(study: Study) -> None:
             f"A study cannot be called {study.name!r}; its name is in links, so it should have"
             " letters, digits and hyphens only."
         )
+    _check_kinds(study)
     _check_choice("design", study.design, designs.names())
     _check_choice("way to show", study.shows, get_args(Shows))
     rules_called(study.rules)
@@ -204,8 +207,7 @@ def check(study: Study) -> None:
         value = getattr(study, name)
         if not isinstance(value, int) or value < least:
             raise ReibenchError(f"{name} = {value!r} should be a whole number from {least} up.")
-    for ending in (*study.codes, *study.links):
-        _check_choice("ending", ending, ENDINGS)
+    _check_endings(study)
     if study.submission and study.submission not in study.parameters:
         raise ReibenchError(
             f"submission = {study.submission!r} is none of the parameters that are kept; add it to"
@@ -218,8 +220,52 @@ def check(study: Study) -> None:
             raise ReibenchError(
                 f"The right answer to the quiz question {question.name!r} is none of its options."
             )
+    for question in (*study.after_trial, *study.at_end):
+        if question.right and question.kind == "choice" and question.right not in question.options:
+            raise ReibenchError(
+                f"The right answer to {question.name!r}, {question.right!r}, is none of its"
+                " options, so nobody could give it."
+            )
     _check_names(study)
     _check_episodes(study)
+
+
+def _check_kinds(study: Study) -> None:
+    """Refuse what is of another kind than it should be: "no" is not false, "5" is not 5."""
+    for one in fields(Study):
+        value, default = getattr(study, one.name), one.default
+        if isinstance(default, bool):
+            fits, kind = isinstance(value, bool), "true or false, without quotes"
+        elif isinstance(default, int | float):
+            fits = isinstance(value, int | float) and not isinstance(value, bool)
+            kind = "a number, without quotes"
+        elif one.name in ("name", "title") or isinstance(default, str):
+            fits, kind = isinstance(value, str), "text in quotes"
+        else:
+            continue
+        if not fits:
+            raise ReibenchError(f"{one.name} = {value!r} should be {kind}.")
+    if not isinstance(study.seed, int):
+        raise ReibenchError(f"seed = {study.seed!r} should be a whole number.")
+    if study.trial_minutes < 0:
+        raise ReibenchError(f"trial_minutes = {study.trial_minutes:g} should be 0 (none) or more.")
+    if study.recent_minutes < 1:
+        raise ReibenchError(f"recent_minutes = {study.recent_minutes:g} should be 1 or more.")
+
+
+def _check_endings(study: Study) -> None:
+    for ending in (*study.codes, *study.links):
+        _check_choice("ending", ending, ENDINGS)
+    for ending, address in study.links.items():
+        if not address.startswith(("https://", "http://")):
+            raise ReibenchError(
+                f"The link for {ending!r} is {address!r}; it should begin with https://."
+            )
+    codes = list(study.codes.values())
+    if twice := {code for code in codes if codes.count(code) > 1}:
+        raise ReibenchError(
+            f"Two endings have the code {min(twice)!r}; it could not be told how a study ended."
+        )
 
 
 def _check_choice(what: str, value: str, known: Sequence[str]) -> None:
@@ -234,6 +280,11 @@ def _check_question(question: Question) -> None:
         raise ReibenchError(
             f"The question {question.name!r} has {len(question.options)} options; one of the kind"
             f" {question.kind!r} needs at least {least}."
+        )
+    if question.kind == "scale" and not 2 <= question.points <= MOST_POINTS:
+        raise ReibenchError(
+            f"The question {question.name!r} has {question.points} points; a scale should have 2"
+            f" to {MOST_POINTS}."
         )
 
 
@@ -258,6 +309,11 @@ def _check_episodes(study: Study) -> None:
     pool = study.chosen()
     designs.create(study.design).check(pool)
     tasks = {episode.task.id for episode in pool}
+    if len(tasks) < study.tasks:
+        raise ReibenchError(
+            f"tasks = {study.tasks}, but {study.episodes!r} has {len(tasks)} that can be drawn;"
+            " take 0 for every one."
+        )
     if len(tasks) < study.trials:
         raise ReibenchError(
             f"{study.trials} trials need as many different tasks, but {study.episodes!r} has"

@@ -24,6 +24,7 @@ from study.stages import (
     Page,
     Stage,
     after_playing,
+    after_questions,
     after_quiz,
     after_trial,
     after_tutorial,
@@ -68,13 +69,17 @@ class Flow:
 
         return self._move(token, "consent", 0, note)
 
-    def read(self, token: str) -> Page:
-        """Have read the tutorial."""
+    def read(self, token: str, stage: Stage = "tutorial", place: int = 0) -> Page:
+        """Have read the tutorial, or how a trial came out."""
+        if stage not in ("tutorial", "outcome"):
+            raise StaleStep("This page was behind. It now shows where you are.")
 
         def note(database: Database, who: Participant) -> None:
-            after_tutorial(database, who, self.enrolment.study(who.study, who.version))
+            study = self.enrolment.study(who.study, who.version)
+            go_on = after_tutorial if stage == "tutorial" else after_trial
+            go_on(database, who, study)
 
-        return self._move(token, "tutorial", 0, note)
+        return self._move(token, stage, place, note)
 
     def step(
         self, token: str, stage: Stage, place: int, skill: str, expected: int, seconds: float | None
@@ -130,7 +135,7 @@ class Flow:
             elif stage == "end":
                 end(database, who, "completed")
             else:
-                after_trial(database, who, study)
+                after_questions(database, who, study)
 
         return self._move(token, stage, place, note)
 
@@ -211,6 +216,8 @@ class Flow:
         study = self.enrolment.study(who.study, who.version)
         stage = stage_of(who)
         page = Page(who, study, stage, who.place)
+        if who.state == "active" and self.enrolment.is_stopped(who.study):
+            return replace(page, stage="over", stopped=True)
         if stage in ("practice", "trial"):
             sitting = self._sitting(who, study, stage)
             left = self._seconds_left(study, stage, sitting)
@@ -226,11 +233,18 @@ class Flow:
             return replace(page, ending=ending, code=code, link=link)
         asked = questions_at(study, stage)
         wrong = self._wrong(who, asked) if stage == "quiz" else ()
-        if stage != "after":
+        if stage not in ("after", "outcome"):
             return replace(page, questions=asked, wrong=wrong)
         given = self._given(who, "trial")
-        solved = self._solved(given) if study.reveal_success else None
-        return replace(page, questions=asked, room=given.room, solved=solved)
+        [entry] = self._store.entries("id = ?", [given.record])
+        if stage == "outcome":
+            return replace(page, solved=entry.status == "success")
+        record = self._store.record(entry.id)
+        request = record.episode.dialogue.instruction.text
+        page = replace(page, questions=asked, room=given.room, request=request)
+        if record.said_done:
+            return page
+        return replace(page, spent="time" if record.expired else "steps")
 
     def _played(self, who: Participant, study: Study) -> Participant:
         """Let somebody go on whose task is over, unless they were turned away meanwhile."""
@@ -257,10 +271,6 @@ class Flow:
 
     def _given(self, who: Participant, stage: Stage) -> Assignment:
         return self.enrolment.assignments(who.code, stage)[who.place]
-
-    def _solved(self, given: Assignment) -> bool | None:
-        found = self._store.entries("id = ?", [given.record])
-        return found[0].status == "success" if found else None
 
     def _seconds_left(self, study: Study, stage: Stage, sitting: Sitting) -> float | None:
         """Return how long a trial may still last, by the server's clock; None without a limit."""

@@ -16,15 +16,7 @@ def form(page: Page, told: str) -> str:
     """Return the questions of a stage; `told` is what was wrong with the answers, as markup."""
     titles = {"quiz": "A few questions about the instructions", "after": "About this task"}
     title = element("h1", text(titles.get(page.stage, "Last questions")))
-    tries = ""
-    if page.stage == "quiz" and page.participant.quiz_tries:
-        tries = element(
-            "p",
-            "Not quite. Read what is said below, and try once more.",
-            class_="notice",
-            role="alert",
-        )
-    told = _outcome(page) + told
+    tries = _before(page)
     asked = [_question(one, page, wrong=one in page.wrong) for one in page.questions]
     go = button("Check my answers" if page.stage == "quiz" else "Continue", "answer", "btn primary")
     return element(
@@ -32,12 +24,29 @@ def form(page: Page, told: str) -> str:
     )
 
 
-def _outcome(page: Page) -> str:
-    """Return how the task came out, where the study tells people."""
-    if page.solved is None:
+def _before(page: Page) -> str:
+    """Return what is to be known before the questions are answered."""
+    if page.stage == "after":
+        ended = {
+            "steps": f"All {page.study.max_steps} actions were used, so the task has ended.",
+            "time": "The time was up, so the task has ended.",
+        }.get(page.spent)
+        note = element("p", text(ended), class_="notice", role="status") if ended else ""
+        return note + element("blockquote", text(page.request), class_="asked")
+    if page.stage != "quiz" or not page.participant.quiz_tries:
         return ""
+    left = page.study.quiz_tries - page.participant.quiz_tries
+    last = "This is the last try." if left == 1 else f"There are {left} tries left."
+    words = f"Not quite. Read what is said below, and answer again. {last}"
+    return element("p", words, class_="notice bad", role="alert")
+
+
+def outcome(page: Page) -> str:
+    """Return how the task came out, where the study tells people."""
     words = "You did what was asked." if page.solved else "What was asked has not been done."
-    return element("p", words, class_="notice", role="status")
+    title = element("h1", text(f"Task {page.place + 1}"))
+    go = element("div", button("Continue", "read", "btn primary"), class_="row end")
+    return title + element("p", words, class_="notice", role="status") + go
 
 
 def _question(question: Question, page: Page, *, wrong: bool) -> str:
@@ -66,7 +75,9 @@ def _scale(question: Question) -> str:
     ends = question.options
     points = [_radio(question.name, str(n), str(n)) for n in range(1, question.points + 1)]
     low, high = element("span", text(ends[0])), element("span", text(ends[-1]))
-    return element("div", low, *points, high, class_="scale")
+    return element(
+        "div", low, *points, high, class_="scale", style=f"--n:{question.points}", role="group"
+    )
 
 
 def _objects(question: Question, page: Page) -> str:

@@ -6,7 +6,7 @@ from typing import Any
 
 import gradio as gr
 
-from reibench.errors import ReibenchError, StaleStep
+from reibench.errors import ReibenchError, StaleStep, UnknownName
 from reibench.pages.asking import visitor_token
 from reibench.pages.wiring import QUICK
 from reibench.view.icons import sprite
@@ -24,6 +24,8 @@ window.dispatchEvent(new Event("rei:bus"));
 """
 PARTS = ("where", "bar", "talk", "room", "act", "card", "extra")
 Answer = tuple[Any, ...]
+NO_STUDY = "There is no such study. Please use the link as it was sent to you."
+BEHIND = "This page was behind. It now shows where you are."
 LATEST = 1e14
 """Milliseconds since the epoch that are no clock's any more."""
 
@@ -49,7 +51,7 @@ class Sent:
         data: Mapping[str, Any] = sent if isinstance(sent, Mapping) else {}
         stage = next((one for one in STAGES if one == data.get("stage")), None)
         if stage is None:
-            raise StaleStep("This page was behind. It now shows where you are.")
+            raise StaleStep(BEHIND)
         answers = data.get("answers")
         return cls(
             seq=_whole(data.get("seq")),
@@ -127,6 +129,8 @@ class TakingPart:
         try:
             token = self._token(tokens.get(name), name, invite, wanted)
             page = self.flow.page(token)
+        except UnknownName:  # the names of others are nobody's business
+            return (gr.skip(), *_answer(0, None, NO_STUDY))
         except ReibenchError as problem:
             return (gr.skip(), *_answer(0, None, str(problem)))
         return ({**tokens, name: token}, *_answer(0, page))
@@ -147,7 +151,9 @@ class TakingPart:
 
     def read(self, known: object, event: gr.EventData) -> Answer:
         """Have read the instructions."""
-        return self._do(known, event, lambda token, sent: self.flow.read(token))
+        return self._do(
+            known, event, lambda token, sent: self.flow.read(token, sent.stage, sent.place)
+        )
 
     def step(self, known: object, event: gr.EventData) -> Answer:
         """Carry out a skill."""
@@ -207,7 +213,7 @@ class TakingPart:
             # within a task, what was said and the bar are on the page already
             stands = sent.expected > 0 and (page.stage, page.place) == (sent.stage, sent.place)
         except ReibenchError as problem:
-            notice = str(problem)
+            notice = BEHIND if isinstance(problem, StaleStep) else str(problem)
             try:
                 page = self.flow.page(token)
             except ReibenchError:

@@ -136,7 +136,7 @@ class Simulation:
         match page.stage:
             case "consent":
                 visitor.send("consent", page, agreed=True)
-            case "tutorial":
+            case "tutorial" | "outcome":
                 visitor.send("read", page)
             case "practice" | "trial":
                 self._play(visitor, page, choose, outcome)

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, get_args
 
 from sqlite_utils import Database
 
@@ -12,10 +12,10 @@ from reibench.watching import Sitting
 from study.config import Ending, Question, Study
 from study.enrolment import Participant, log
 
-Stage = Literal["consent", "tutorial", "practice", "quiz", "trial", "after", "end", "over"]
-STAGES: tuple[Stage, ...] = (
-    "consent", "tutorial", "practice", "quiz", "trial", "after", "end", "over",
-)  # fmt: skip
+Stage = Literal[
+    "consent", "tutorial", "practice", "quiz", "trial", "after", "outcome", "end", "over"
+]
+STAGES: tuple[Stage, ...] = get_args(Stage)
 
 
 @dataclass(frozen=True)
@@ -33,11 +33,17 @@ class Page:
     wrong: tuple[Question, ...] = ()
     """Those of the quiz that were answered wrongly at the last try."""
     ending: Ending | None = None
+    stopped: bool = False
+    """Whether it is over because the whole study was stopped."""
     code: str = ""
     """To be given back to whoever sent the participant."""
     link: str = ""
     room: str = ""
     """Where the task was that questions are asked about."""
+    request: str = ""
+    """What was asked for in it."""
+    spent: Literal["", "steps", "time"] = ""
+    """What ended it, where that was not the participant."""
     solved: bool | None = None
     """Whether it was carried out; only where the study reveals it."""
     seconds_left: float | None = None
@@ -117,10 +123,10 @@ def after_playing(database: Database, who: Participant, study: Study) -> None:
             go(database, who, "practice", who.place + 1)
         else:
             go(database, who, "quiz" if study.quiz else "trial")
-    elif study.after_trial or study.reveal_success:
+    elif study.after_trial:
         go(database, who, "after", who.place)
     else:
-        after_trial(database, who, study)
+        after_questions(database, who, study)
 
 
 def after_quiz(
@@ -135,8 +141,16 @@ def after_quiz(
         end(database, who, "failed_check")
 
 
+def after_questions(database: Database, who: Participant, study: Study) -> None:
+    """Let somebody go on who has answered what is asked after a trial; now they may be told."""
+    if study.reveal_success:
+        go(database, who, "outcome", who.place)
+    else:
+        after_trial(database, who, study)
+
+
 def after_trial(database: Database, who: Participant, study: Study) -> None:
-    """Let somebody go on who has answered what is asked after a trial."""
+    """Let somebody go on who is through with a trial and all that belongs to it."""
     if who.place + 1 < study.trials:
         go(database, who, "trial", who.place + 1)
     elif study.at_end:

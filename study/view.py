@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from markdown_it import MarkdownIt
 
+from reibench.rollout import Step
 from reibench.view.dialogue import conversation
 from reibench.view.markup import classes, element, text
 from reibench.view.room_panel import room_panel
@@ -11,7 +12,7 @@ from reibench.view.screens import scenes_of
 from reibench.view.steps import announcement, budget, step_list
 from reibench.watching import Sitting
 from study.config import Study
-from study.forms import button, form
+from study.forms import button, form, outcome
 from study.stages import Page
 
 STEPS = ("Consent", "Practice", "Quiz", "Tasks", "Questions")
@@ -58,7 +59,7 @@ def header(page: Page) -> str:
 
 
 def _progress(page: Page) -> str:
-    if page.stage in ("trial", "after"):
+    if page.stage in ("trial", "after", "outcome"):
         marks = [
             element("i", class_=classes(done=at < page.place, now=at == page.place))
             for at in range(page.study.trials)
@@ -106,10 +107,13 @@ def card(page: Page, notice: str = "") -> str:
         return ""
     match page.stage:
         case "consent":
-            parts = [_read(page.study, "consent"), told, _consent()]
+            parts = [_read(page.study, "consent"), _identifiers(page.study), told, _consent()]
         case "tutorial":
             go = button("Continue", "read", "btn primary")
-            parts = [_read(page.study, "tutorial"), told, element("div", go, class_="row end")]
+            row = element("div", go, class_="row end")
+            parts = [_read(page.study, "tutorial"), _practised(page.study), told, row]
+        case "outcome":
+            parts = [outcome(page)]
         case "over":
             parts = [_over(page)]
         case _:
@@ -147,7 +151,36 @@ def helping(study: Study) -> str:
 
 
 def _read(study: Study, what: str) -> str:
-    return element("div", str(_MARKDOWN.render(study.texts[what])), class_="read")
+    """Return one of the study's texts, with its own numbers where the text names them."""
+    words = study.texts[what]
+    limit = f"{study.trial_minutes:g} minutes" if study.trial_minutes else "as long as you like"
+    for name, value in (
+        ("max_steps", study.max_steps), ("trials", study.trials), ("time", limit),
+    ):  # fmt: skip
+        words = words.replace(f"{{{name}}}", str(value))
+    return element("div", str(_MARKDOWN.render(words)), class_="read")
+
+
+def _practised(study: Study) -> str:
+    if not study.practice:
+        return ""
+    return element("p", "First there is a task to practise, with hints. It does not count.")
+
+
+def _identifiers(study: Study) -> str:
+    """Say what of the link is kept, for it may tell who somebody is to whoever sent them."""
+    if not study.parameters:
+        return ""
+    names = ", ".join(study.parameters)
+    return element(
+        "p",
+        text(
+            f"Kept beside the code, where your link has it, is what the service that sent you calls"
+            f" you ({names}), so that your part can be accepted there. It is deleted if you do not"
+            " agree, or leave."
+        ),
+        class_="small",
+    )
 
 
 def _consent() -> str:
@@ -171,6 +204,9 @@ def _consent() -> str:
 
 
 def _over(page: Page) -> str:
+    if page.stopped:
+        words = "This study has been stopped. What you have done is kept. Thank you for your time."
+        return element("h1", "The study was stopped") + element("p", words, role="status")
     if page.ending == "completed":
         parts = [_read(page.study, "debrief")]
     else:
@@ -246,11 +282,16 @@ def _practice(sitting: Sitting) -> str:
     return element("p", element("b", "Practice. "), text(words), class_="notice", role="status")
 
 
-def _next_words(steps: Sequence[object], *, held: bool, done: bool) -> str:
+def _next_words(steps: Sequence[Step], *, held: bool, done: bool) -> str:
     if done:
         return "That is what was asked for. Press I'm done to go on."
+    if steps and not steps[-1].event.success:
+        return "That was refused. The list says why: do what is missing first, then try again."
     if not steps:
-        return "First go to the thing that is meant: type find and its name, and press Enter."
+        return (
+            "First go to the thing that is meant: type find and part of its name, choose it in the"
+            " list, and press Enter."
+        )
     if held:
         return "You hold it. Now find the place where it should go, and put it down there."
     return "Now pick it up. If something is in the way, the list of your actions says what."

@@ -4,7 +4,7 @@ import hashlib
 import json
 from collections.abc import Iterable
 from dataclasses import asdict, dataclass
-from typing import Literal
+from typing import Any, Literal
 from uuid import uuid4
 
 from sqlite_utils import Database
@@ -296,8 +296,14 @@ class Store(DatabaseFile):
             start=start,
             steps=tuple(steps),
             said_done=bool(row["said_done"]),
-            expired=row["status"] == "truncated" and row["steps"] < row["max_steps"],
+            expired=_ran_out(row),
             instruction=instruction,
             closing=thoughts.closing_from_json(row["closing"]),
             error=row["error"],
         )
+
+
+def _ran_out(row: dict[str, Any]) -> bool:
+    """Whether a record ended with steps left and nobody saying done, so by the clock."""
+    ended = row["status"] in ("success", "truncated") and not row["said_done"]
+    return ended and row["steps"] < row["max_steps"]

@@ -209,7 +209,9 @@ def test_leaving_asks_once_more_and_deletes(served, study):
 def test_a_study_there_is_none_of_is_said_in_a_sentence(served):
     person = served()
     person.page.goto(f"{person.address}/s/%3Cimg%20src=x%20onerror=alert(1)%3E")
-    expect(person.page.locator("#card")).to_contain_text("No study called")
+    expect(person.page.locator("#card")).to_contain_text("There is no such study")
+    assert "household" not in person.page.locator("#card").inner_text()  # nor are others named
+    expect(person.page.locator("#cols")).to_be_hidden()
     assert not person.trouble
 
 
@@ -245,3 +247,35 @@ def test_a_doubled_click_is_one_answer(served, study):
     assert len(left) == len({tuple(row.values()) for row in left}) + 1  # the quiz, twice
     [row] = study.store.query("select quiz_tries from participants")
     assert row["quiz_tries"] == 2
+
+
+def test_on_a_phone_what_was_said_is_seen_before_anything_is_done(served):
+    person = served(viewport={"width": 390, "height": 844})
+    page = person.page
+    page.check("#agree")
+    person.press("agree")
+    person.at("tutorial")
+    person.press("read")
+    person.at("practice")
+    expect(page.locator(".talk")).to_be_visible()
+    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+
+
+def test_enter_does_nothing_while_nothing_is_typed_and_early_typing_is_kept(served, study):
+    person = served()
+    page = person.page
+    page.check("#agree")
+    person.press("agree")
+    person.at("tutorial")
+    person.press("read")
+    person.at("practice")
+    page.focus("#skill")
+    page.keyboard.press("Enter")
+    person.do("find a key chain")
+    page.keyboard.press("Enter")
+    page.fill("#skill", "pick up the key chain")
+    page.keyboard.press("Enter")
+    page.keyboard.type("drawer")
+    page.wait_for_selector("#act[data-expected='3']")
+    expect(page.locator("#skill")).to_have_value("drawer")
+    assert steps_of(study) == ["find a key chain", "pick up the key chain"]

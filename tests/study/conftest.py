@@ -55,6 +55,8 @@ def go_to(flow, token, stage, place=0):
             page = flow.consent(token, agreed=True)
         elif page.stage == "tutorial":
             page = flow.read(token)
+        elif page.stage == "outcome":
+            page = flow.read(token, "outcome", page.place)
         elif page.stage in ("practice", "trial"):
             page = flow.done(token, page.stage, page.place, len(page.sitting.steps) + 1)
         else:

@@ -100,7 +100,7 @@ def test_what_somebody_answered_and_what_was_decided_is_shown_as_text(researcher
     assert "&lt;img src=x" in shown
     assert "<img src=x" not in shown
     assert "&lt;b&gt;good" in shown
-    assert "Which object was meant?" in shown
+    assert "Which thing was to be brought" in shown
     assert ">accepted<" in shown
     assert ">accepted<" in researcher.get("/admin/household?who=real").text
 

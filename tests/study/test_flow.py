@@ -235,6 +235,7 @@ def test_a_trial_whose_time_is_up_ends_by_itself(enrolment, short):
     with pytest.raises(StaleStep, match="over"):
         flow.step(token, "trial", 0, "find a fridge", 1, 1)
     assert flow.page(token).stage == "after"
+    assert "The time was up" in view.card(flow.page(token))
     record = enrolment.store.record(page.sitting.id)
     assert (record.status, record.said_done, record.expired) == ("truncated", False, True)
 
@@ -245,18 +246,52 @@ def test_a_spent_budget_ends_a_trial(enrolment, short):
     token = enrolment.arrive("brief", {}).token
     go_to(flow, token, "trial")
     flow.step(token, "trial", 0, "find a fridge", 1, 1)
-    assert flow.step(token, "trial", 0, "find a sink", 2, 1).stage == "after"
+    page = flow.step(token, "trial", 0, "find a sink", 2, 1)
+    assert (page.stage, page.spent) == ("after", "steps")
+    assert "All 2 actions were used" in view.card(page)
 
 
-def test_people_learn_how_it_came_out_only_where_the_study_says_so(enrolment, short, flow, someone):
+def test_people_learn_how_it_came_out_only_where_the_study_says_so_and_after_they_answered(
+    enrolment, short, flow, someone
+):
     page = go_to(flow, someone, "after")
-    assert page.solved is None
-    enrolment.create(replace(short, name="told", reveal_success=True, after_trial=()))
+    assert flow.answer(someone, "after", 0, right(page.questions)).stage == "trial"
+    enrolment.create(replace(short, name="told", reveal_success=True))
     token = enrolment.arrive("told", {}).token
     page = go_to(flow, token, "after")
-    assert page.solved is False
+    assert page.solved is None
+    assert "has not been done" not in view.card(page)
+    page = flow.answer(token, "after", 0, right(page.questions))
+    assert (page.stage, page.solved) == ("outcome", False)
     assert "has not been done" in view.card(page)
-    assert flow.answer(token, "after", 0, {}).stage == "trial"
+    with pytest.raises(StaleStep):
+        flow.read(token, "outcome", 1)
+    assert flow.read(token, "outcome", 0).stage == "trial"
+
+
+def test_what_was_asked_for_is_said_again_with_the_questions_about_it(flow, someone):
+    request = go_to(flow, someone, "trial").sitting.episode.dialogue.instruction.text
+    page = go_to(flow, someone, "after")
+    assert page.request == request
+    assert '<blockquote class="asked">' in view.card(page)
+    assert "has ended" not in view.card(page)
+
+
+def test_numbers_in_the_texts_are_the_study_s_own(flow, someone, short):
+    page = go_to(flow, someone, "tutorial")
+    said = view.card(page)
+    assert "you have 30 actions, and as long as you like" in said
+    assert "First there is a task to practise" in said
+    changed = replace(short, max_steps=12, trial_minutes=5, practice=())
+    said = view.card(replace(page, study=changed))
+    assert "you have 12 actions, and 5 minutes" in said
+    assert "to practise" not in said
+
+
+def test_who_is_asked_for_consent_reads_what_of_the_link_is_kept(flow, someone, short):
+    page = flow.page(someone)
+    assert "PROLIFIC_PID, STUDY_ID, SESSION_ID" in view.card(page)
+    assert "PROLIFIC_PID" not in view.card(replace(page, study=replace(short, parameters=())))
 
 
 def test_a_time_limit_is_shown_and_counted_by_the_server(enrolment, short):
@@ -283,6 +318,12 @@ def test_a_stopped_study_goes_on_for_nobody_and_a_paused_one_does(enrolment, flo
         with pytest.raises(Closed, match="stopped"):
             attempt()
     assert everything(flow) == before
+    page = flow.page(someone)
+    assert (page.stage, page.stopped, page.code) == ("over", True, "")
+    assert "has been stopped" in view.card(page)
+    enrolment.set_state(short.name, "open")
+    assert flow.page(someone).stage == "trial"
+    enrolment.set_state(short.name, "stopped", "enough")
     assert flow.withdraw(someone).ending == "withdrawn"
 
 

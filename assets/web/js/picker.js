@@ -45,7 +45,7 @@ function found() {
 }
 
 /** Show what the field and the verbs ask for. */
-export function refresh({ keep = false } = {}) {
+export function refresh() {
   const box = pick();
   if (!box || !load()) return;
   const wanted = tokens();
@@ -56,7 +56,8 @@ export function refresh({ keep = false } = {}) {
   const reach = likely.map((text) => byText.get(text)).filter(Boolean);
   const rest = fitting.filter((skill) => !reach.includes(skill));
   shown = [...reach, ...rest];
-  chosen = keep ? Math.min(chosen, Math.max(shown.length - 1, 0)) : 0;
+  // with nothing asked for, Enter must not do whatever happens to stand first
+  chosen = wanted.length || verb ? 0 : -1;
   markVerbs(box, all, wanted);
   list(box, reach, rest, wanted);
   sayNoMatch(box, wanted);
@@ -95,7 +96,7 @@ function list(box, reach, rest, wanted) {
 
 function pointAt(box) {
   const input = field();
-  if (shown.length) input?.setAttribute("aria-activedescendant", `skill-${chosen}`);
+  if (shown[chosen]) input?.setAttribute("aria-activedescendant", `skill-${chosen}`);
   else input?.removeAttribute("aria-activedescendant");
   for (const option of box.querySelectorAll("[role=option]")) {
     const on = Number(option.dataset.index) === chosen;
@@ -208,7 +209,8 @@ function setVerb(name) {
 
 function move(by) {
   if (!shown.length) return;
-  chosen = (chosen + by + shown.length) % shown.length;
+  const from = chosen < 0 && by < 0 ? 0 : chosen;
+  chosen = (from + by + shown.length) % shown.length;
   pointAt(pick());
   const option = pick().querySelector(`#skill-${chosen}`);
   option?.scrollIntoView({ block: "nearest" });
@@ -226,7 +228,14 @@ function escape() {
 }
 
 document.addEventListener("input", (event) => {
-  if (event.target.id === "skill") refresh();
+  if (event.target.id !== "skill") return;
+  const { doing } = event.target.dataset;
+  if (doing !== undefined) {
+    // what is typed while an action is under way is the beginning of the next one
+    delete event.target.dataset.doing;
+    event.target.value = event.target.value.replace(`${doing} …`, "");
+  }
+  refresh();
 });
 document.addEventListener("keydown", (event) => {
   if (event.altKey && /^Digit[1-8]$/.test(event.code)) {
@@ -241,7 +250,7 @@ document.addEventListener("keydown", (event) => {
   const act = {
     ArrowDown: () => move(1),
     ArrowUp: () => move(-1),
-    Enter: () => shown[chosen] && carryOut(shown[chosen].text),
+    Enter: () => shown[chosen] && event.target.dataset.doing === undefined && carryOut(shown[chosen].text),
     Escape: escape,
   }[event.key];
   if (act) {

@@ -93,11 +93,14 @@ onChange(() => {
   if (now === last || at.stage === undefined) return;
   const stage = `${at.stage}/${at.place}`;
   const fresh = !last.startsWith(`${stage}/`);
+  const again = !fresh && at.attempt !== undefined;
   last = now;
   watchTime(at);
   shownAt = Date.now();
   hidden = 0;
-  if (!fresh) return;
+  if (again) document.querySelector("#questions")?.reset();
+  if (!fresh && !again) return;
+  root.dataset.talk = "open"; // on a phone too, everybody sees what was said before they act
   scrollTo(0, 0);
   document.querySelector(".talk")?.scrollTo(0, 0);
   const page = document.querySelector("#card");
