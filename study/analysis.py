@@ -1,5 +1,6 @@
 """What a study says: people by level and type, beside planners on the very same episodes."""
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from importlib.util import find_spec
@@ -100,6 +101,7 @@ def analyse(
         "study": name,
         "people": frame["participant"].nunique(),
         "trials": len(frame),
+        "states": _states(enrolment, frame),
         "overall": _summary(frame.assign(all="people"), ["all"]),
         "by_level": _summary(frame, ["level"]),
         "by_task_type": _summary(frame, ["task_type"]),
@@ -205,6 +207,18 @@ def mixed_model(frame: pd.DataFrame, planners: pd.DataFrame, run: str) -> dict[s
         "low": effect - 1.96 * spread,
         "high": effect + 1.96 * spread,
     }
+
+
+def _states(enrolment: Enrolment, frame: pd.DataFrame) -> dict[str, int]:
+    """Count the people whose trials are in `frame`: by state, and who missed an attention check."""
+    counted = set(frame["participant"])
+    rows = enrolment.store.query(
+        "select code, state, exists (select 1 from answers where participant = code and right = 0"
+        " and stage != 'quiz') as missed from participants"
+    )
+    here = [row for row in rows if row["code"] in counted]
+    found = dict(Counter(row["state"] for row in here))
+    return found | {"missed a check": sum(row["missed"] for row in here)}
 
 
 def agreement(frame: pd.DataFrame) -> dict[str, Any]:

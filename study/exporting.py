@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from reibench.errors import ReibenchError
+from study.config import all_episodes
 from study.enrolment import Enrolment
 
 Row = Mapping[str, Any]
@@ -17,6 +18,10 @@ QUERIES = {
         " quiz_tries, arrived, seen, ended, parameters"
         " from participants as p where p.study = ? {kept}"
         " order by arrived"
+    ),
+    "versions": (
+        "select v.version, v.created, json as definition from study_versions as v"
+        " where v.study = ? order by v.created"
     ),
     "assignments": (
         "select participant, kind, a.place, episode, task, level, record from assignments as a"
@@ -61,6 +66,11 @@ CODEBOOK: Mapping[str, Mapping[str, str]] = {
         "ended": "when they finished or left (UTC)",
         "parameters": "what the study keeps of their link, JSON",
     },
+    "versions": {
+        "version": "what participants.version refers to",
+        "created": "when it was kept (UTC)",
+        "definition": "the whole study as JSON: settings, questions, texts",
+    },
     "assignments": {
         "participant": "code",
         "kind": "practice or trial",
@@ -76,6 +86,8 @@ CODEBOOK: Mapping[str, Mapping[str, str]] = {
         "episode": "id, TASK.LEVEL",
         "task": "seed task",
         "task_type": "ALFRED's name",
+        "object": "type of the thing the task is about; what the question of the kind `object`"
+        " asks for",
         "level": "vagueness: reference-context",
         "room": "name of the room",
         "status": "success: the goal holds at the end; failure; truncated: budget of steps or time"
@@ -127,10 +139,15 @@ def tables_of(enrolment: Enrolment, name: str, *, everybody: bool = False) -> di
     """Return the tables of a study by name; `everybody` counts simulated and rejected people in."""
     enrolment.study(name)
     kept = "" if everybody else KEPT
-    return {
+    tables: dict[str, list[Row]] = {
         table: list(enrolment.store.query(query.format(kept=kept), [name]))
         for table, query in QUERIES.items()
     }
+    objects = {episode.task.id: episode.task.goal.object for episode in all_episodes()}
+    for at, row in enumerate(tables["trials"]):
+        whole = {**row, "object": objects.get(str(row["task"]), "")}
+        tables["trials"][at] = {name: whole[name] for name in CODEBOOK["trials"]}
+    return tables
 
 
 def export(enrolment: Enrolment, name: str, folder: Path, *, everybody: bool = False) -> list[Path]:

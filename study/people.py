@@ -1,5 +1,7 @@
 """People as researchers see them: where everybody is, how long they take, whether they attend."""
 
+import json
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -14,7 +16,7 @@ Judgement = Literal["accept", "reject", "restore"]
 
 _PEOPLE = """
 select p.code, p.state, p.stage, p.place, p.slot, p.simulated, p.quiz_tries, p.arrived, p.seen,
-    p.ended, p.reason, p.version, p.accepted,
+    p.ended, p.reason, p.version, p.accepted, p.parameters,
     (select count(*) from assignments as a join records as r on r.id = a.record
         where a.participant = p.code and a.kind = 'trial' and r.status not null) as trials,
     (select count(*) from answers as w where w.participant = p.code and w.right = 0
@@ -43,6 +45,8 @@ class Person:
     ended: str | None
     reason: str
     version: str
+    parameters: Mapping[str, str]
+    """What is kept of the link they came by."""
     accepted: str | None
     """When a researcher accepted them."""
     trials: int
@@ -59,7 +63,13 @@ def people_of(enrolment: Enrolment, name: str) -> list[Person]:
     """Return everybody of a study, the latest first; raises UnknownName."""
     enrolment.study(name)
     rows = enrolment.store.query(_PEOPLE, [name])
-    return [Person(**row | {"simulated": bool(row["simulated"])}) for row in rows]
+    return [
+        Person(
+            **row
+            | {"simulated": bool(row["simulated"]), "parameters": json.loads(row["parameters"])}
+        )
+        for row in rows
+    ]
 
 
 def judge(enrolment: Enrolment, name: str, code: str, judgement: Judgement, reason: str) -> None:

@@ -6,7 +6,10 @@ from typing import Any
 
 def lines(found: Mapping[str, Any]) -> list[str]:
     """Return an analysis as text."""
-    told = [f"{found['study']}: {found['people']} people, {found['trials']} finished trials"]
+    who = ", ".join(f"{number} {state}" for state, number in found["states"].items() if number)
+    told = [
+        f"{found['study']}: {found['people']} people ({who}), {found['trials']} finished trials"
+    ]
     for title, key in (("all", "overall"), ("by level", "by_level"), ("by type", "by_task_type")):
         told.append(f"success {title}:")
         for row in found[key]:

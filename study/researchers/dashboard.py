@@ -13,7 +13,7 @@ from study.researchers.frame import ago, lasting, link, page, pill, section, tab
 
 STAGES = {
     "consent": "Consent", "tutorial": "Instructions", "practice": "Practice", "quiz": "Quiz",
-    "trial": "Task", "after": "Task", "end": "Questions", "over": "–",
+    "trial": "Task", "after": "Task", "outcome": "Task", "end": "Questions", "over": "–",
 }  # fmt: skip
 
 
@@ -70,11 +70,18 @@ def _head(about: Study, state: str, token: str) -> str:
         ),
         class_="facts",
     )
-    labels = {"open": "Start", "paused": "Pause", "stopped": "Stop"}
+    labels = {
+        "open": ("Start", "Take people in"),
+        "paused": ("Pause", "Take nobody in; who has begun goes on"),
+        "stopped": ("Stop", "Nobody goes on; what was done is kept"),
+    }
     buttons = [
-        element("button", words, name="state", value=value, class_="btn", disabled=value == state)
-        for value, words in labels.items()
-    ]
+        element(
+            "button", words, name="state", value=value, class_="btn", title=means,
+            disabled=value == state,
+        )
+        for value, (words, means) in labels.items()
+    ]  # fmt: skip
     why = element("input", name="reason", placeholder="Reason (kept)", aria_label="Reason")
     hidden = element("input", type="hidden", name="token", value=token)
     action = f"/admin/{about.name}/state"
@@ -123,9 +130,16 @@ def _tiles(about: Study, people: Sequence[Person]) -> list[str]:
         tile(str(states.count("away")), f"away for over {about.recent_minutes:g} min"),
         tile(str(gone), "left, declined or failed the quiz"),
         tile(str(states.count("rejected")), "rejected"),
-        tile(f"{median(times):.0f} min" if times else "–", "median time to finish"),
+        tile(_median(times), "median time to finish"),
         tile(str(sum(one.inattentive > 0 for one in people)), "missed an attention check"),
     ]
+
+
+def _median(minutes: Sequence[float]) -> str:
+    if not minutes:
+        return "–"
+    middle = median(minutes)
+    return f"{middle:.0f} min" if middle >= 1.5 else f"{60 * middle:.0f} s"
 
 
 def _minutes(one: Person) -> float:
@@ -162,19 +176,18 @@ def _people(about: Study, people: Sequence[Person]) -> str:
     if not people:
         return element("p", "Nobody has come yet.", class_="note")
     heads = (
-        "code", "state", "at", "tasks done", "time #", "s a step #", "quiz tries #",
+        "code", "state", "at", "tasks done", "time #", "mean s a step #", "quiz tries #",
         "checks missed #", "out of sight #", "arrived", "last seen",
     )  # fmt: skip
     return table(heads, [_row(about, one) for one in people], "People")
 
 
 def _row(about: Study, one: Person) -> list[str]:
-    place = one.place + 1 if one.stage in ("trial", "after") else None
     accepted = element("span", "accepted", class_="pill good") if one.accepted else ""
     return [
         link(f"/admin/{about.name}/people/{one.code}", one.code, "code"),
         pill(state_of(one, about.recent_minutes)) + accepted,
-        text(f"{STAGES.get(one.stage, one.stage)}{f' {place}' if place else ''}"),
+        text(at(one)),
         _done(one.trials, about.trials),
         text(lasting(one.arrived, one.ended or one.seen)),
         f"{one.seconds:.1f}" if one.seconds is not None else "–",
@@ -186,6 +199,12 @@ def _row(about: Study, one: Person) -> list[str]:
     ]
 
 
+def at(one: Person) -> str:
+    """Say where somebody is."""
+    words = STAGES.get(one.stage, one.stage)
+    return f"{words} {one.place + 1}" if words == "Task" else words
+
+
 def _done(done: int, all_of_them: int) -> str:
     filled = element("i", style=f"width:{100 * done / all_of_them:.0f}%")
     return element("span", filled, class_="bar wide", aria_hidden="true") + element(
@@ -195,9 +214,17 @@ def _done(done: int, all_of_them: int) -> str:
 
 def _results(name: str) -> str:
     ways = (
-        (f"/admin/{name}/analysis", "Analysis", "people by level, and beside planners"),
+        (
+            f"/admin/{name}/analysis",
+            "Analysis",
+            "people by level, and beside planners; of finished tasks, also of who is still there",
+        ),
         (f"/admin/{name}/analysis?everybody=true", "… with simulated and rejected people", ""),
-        (f"/admin/{name}/export.zip", "Download", "everything, as CSV and JSONL with a codebook"),
+        (
+            f"/admin/{name}/export.zip",
+            "Download",
+            "as CSV and JSONL with a codebook, without simulated, rejected and withdrawn people",
+        ),
         (f"/admin/{name}/export.zip?everybody=true", "… of everybody", ""),
     )
     items = [

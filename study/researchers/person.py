@@ -6,7 +6,7 @@ from typing import Any
 from reibench.view.markup import element, text
 from study.config import Study
 from study.people import GONE, Person
-from study.researchers.dashboard import STAGES, state_of
+from study.researchers.dashboard import at, state_of
 from study.researchers.frame import ago, lasting, link, page, pill, section, table
 
 Row = Mapping[str, Any]
@@ -53,7 +53,7 @@ def person(
 
 def _facts(one: Person) -> str:
     facts = (
-        ("at", text(STAGES.get(one.stage, one.stage))),
+        ("at", text(at(one))),
         ("arrived", ago(one.arrived)),
         ("last seen", ago(one.seen)),
         ("time", text(lasting(one.arrived, one.ended or one.seen))),
@@ -61,8 +61,9 @@ def _facts(one: Person) -> str:
         ("a step", f"{one.seconds:.1f} s" if one.seconds is not None else "–"),
         ("quiz tries", str(one.quiz_tries)),
         ("checks missed", str(one.inattentive)),
-        ("place", str(one.slot)),
+        ("slot", str(one.slot)),
         ("version", element("code", text(one.version))),
+        *((name, element("code", text(value))) for name, value in one.parameters.items()),
     )
     pairs = [element("div", element("dt", text(name)), element("dd", said)) for name, said in facts]
     return element("dl", *pairs, class_="panel")

@@ -50,7 +50,7 @@ def _tiles(found: Found, overall: Found) -> list[str]:
     rate = f"{100 * overall['success_rate']:.0f} %"
     low, high = 100 * overall["success_low"], 100 * overall["success_high"]
     return [
-        tile(str(found["people"]), f"people, {found['trials']} finished tasks"),
+        tile(str(found["people"]), _counted(found)),
         tile(rate, f"success [{low:.0f}, {high:.0f}]"),
         tile(_spread(pace, " s"), f"a step, median{_quartiles(pace)}"),
         tile(_spread(length, " ×"), f"the expert's steps{_quartiles(length)}"),
@@ -58,6 +58,13 @@ def _tiles(found: Found, overall: Found) -> list[str]:
         if same["pairs"]
         else tile("–", "agreement: no episode was played by two people"),
     ]
+
+
+def _counted(found: Found) -> str:
+    """Say who is counted."""
+    words = {"active": "still taking part", "missed a check": "missed an attention check"}
+    who = [f"{n} {words.get(state, state)}" for state, n in found["states"].items() if n]
+    return f"people ({', '.join(who)}), {found['trials']} finished tasks"
 
 
 def _spread(spread: Found, unit: str) -> str:

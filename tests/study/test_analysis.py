@@ -12,6 +12,8 @@ from reibench.run import RunSpec, evaluate
 from reibench.worlds.embedded import embedded_world
 from study.__main__ import main
 from study.analysis import agreement, analyse, draw, mixed_model, trials_frame, versus
+from study.config import from_json
+from study.exporting import tables_of
 from study.simulating import Character, Simulation
 from study.telling import lines
 
@@ -97,6 +99,29 @@ def test_what_people_took_the_words_to_mean_is_counted_as_by_hand(studied):
         assert one["asked"] == len(here)
         assert one["right"] == sum(row["answer"] == meant[row["episode"]] for row in here)
         assert one["low"] <= one["right"] / one["asked"] <= one["high"]
+
+
+def test_an_export_is_enough_to_count_it_again(studied):
+    enrolment, study = studied
+    found = analyse(enrolment, study.name, everybody=True)
+    tables = tables_of(enrolment, study.name, everybody=True)
+    trials = {(row["participant"], row["place"]): row for row in tables["trials"]}
+    assert (
+        sum(row["status"] == "success" for row in trials.values()) == found["overall"][0]["success"]
+    )
+    named = [row for row in tables["answers"] if row["question"] == "meant"]
+    right = [row["answer"] == trials[row["participant"], row["place"]]["object"] for row in named]
+    assert sum(right) == sum(one["right"] for one in found["meant"])
+    [version] = tables["versions"]
+    assert {row["version"] for row in tables["participants"]} == {version["version"]}
+    assert from_json(version["definition"]) == study
+
+
+def test_it_says_who_is_counted(studied):
+    enrolment, study = studied
+    found = analyse(enrolment, study.name, everybody=True)
+    assert sum(n for state, n in found["states"].items() if state != "missed a check") == 9
+    assert "finished" in lines(found)[0]
 
 
 def test_a_step_takes_as_long_as_its_clicks_did(studied):
