@@ -219,6 +219,8 @@ const DO = {
   },
 };
 
+const WALKS = new Set(["back", "forward", "split", "play"]);
+
 document.addEventListener("click", (event) => {
   const link = event.target.closest?.("a[data-part]");
   if (link && !event.ctrlKey && !event.metaKey && !event.shiftKey) {
@@ -229,8 +231,11 @@ document.addEventListener("click", (event) => {
   }
   const button = event.target.closest?.("[data-do]");
   if (button && DO[button.dataset.do]) {
-    if (button.dataset.do !== "play") stop();
-    DO[button.dataset.do](button);
+    const what = button.dataset.do;
+    if (what !== "play") stop();
+    // what walks through a case walks through the one that was asked for, as keys do
+    if (coming && WALKS.has(what)) inCase(() => DO[what](button));
+    else DO[what](button);
     return;
   }
   const tab = event.target.closest?.("[data-tab]");
