@@ -258,6 +258,11 @@ def test_on_a_phone_what_was_said_is_seen_before_anything_is_done(served):
     person.press("read")
     person.at("practice")
     expect(page.locator(".talk")).to_be_visible()
+    page.fill("#skill", "slice the bread")
+    page.keyboard.press("Enter")
+    page.evaluate("scrollTo(0, 0)")
+    expect(page.locator(".refusal")).to_contain_text("bread")
+    expect(page.locator(".refusal")).to_be_in_viewport()
     assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
 
 

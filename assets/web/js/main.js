@@ -239,6 +239,7 @@ onChange(() => {
   if (said + outcome !== told) {
     told = said + outcome;
     announce([said, outcome].filter(Boolean).join(" "));
+    showRefusal();
   }
   scrollToEnd(".act .stepscroll", `${act?.dataset.sitting} ${act?.dataset.expected} ${act?.dataset.over}`);
   scrollToEnd(".talk", episode);
@@ -250,6 +251,21 @@ onChange(() => {
   syncSwitches();
   tick();
 });
+
+// on a phone the list of steps is below the room: why something was refused is shown where one is
+function showRefusal() {
+  document.querySelector(".refusal")?.remove();
+  const row = document.querySelector(".act .steps .step.now.fail");
+  if (!row || !isNarrow()) return;
+  const { top, bottom } = row.getBoundingClientRect();
+  if (top >= 0 && bottom <= innerHeight) return;
+  const box = document.createElement("p");
+  box.className = "refusal";
+  box.setAttribute("aria-hidden", "true"); // it has been announced
+  box.textContent = row.querySelector("small")?.textContent ?? "";
+  document.body.append(box);
+  setTimeout(() => box.remove(), 5000);
+}
 
 const scrolled = new Map();
 function scrollToEnd(selector, version) {
