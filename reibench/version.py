@@ -5,6 +5,7 @@ import hashlib
 from collections.abc import Iterable
 from functools import lru_cache
 from pathlib import Path
+from threading import Lock
 
 from reibench.household.rooms import imported_rooms
 
@@ -19,12 +20,22 @@ FILES = (
 """Files that code of a run reads."""
 
 
-@lru_cache(maxsize=64)
+_parsing = Lock()
+"""Python 3.11 counts the depth of its parser for all threads together: two that parse at the same
+time can end in a SystemError."""
+
+
 def code_version(*modules: str) -> str:
     """Return 12 hex digits that change when `modules`, or what they import of ours, does.
 
     So do they when rooms are imported, or imported ones changed.
     """
+    with _parsing:
+        return _code_version(modules)
+
+
+@lru_cache(maxsize=64)
+def _code_version(modules: tuple[str, ...]) -> str:
     paths = {*_with_imports(modules), *(path for pattern in FILES for path in ROOT.glob(pattern))}
     sha = hashlib.sha256()
     for path in sorted(paths):

@@ -133,6 +133,42 @@ def comparison(browser: Browser, database: Path) -> None:
         save(page, "comparison")
 
 
+def participants(browser: Browser, database: Path) -> None:
+    """Take the pictures of somebody on their way through a study."""
+    Enrolment(Store(database)).create(read_study(EXAMPLE))
+    with serving.app(database) as address:
+        page = browser.new_context(viewport=DESKTOP).new_page()
+        page.goto(f"{address}/s/household")
+        page.wait_for_selector("#agree")
+        save(page, "study-consent")
+        page.check("#agree")
+        page.click("[data-do=agree]")
+        page.click("[data-do=read]")
+        _at(page, "practice")
+        page.click("[data-do=done]")
+        _at(page, "quiz")
+        for question in page.locator("#questions fieldset").all():
+            question.locator("input").nth(1).check()
+        page.click("[data-do=answer]")
+        _at(page, "trial")
+        act(page, ["find a drawer", "open the drawer"])
+        save(page, "study-trial")
+        page.set_viewport_size(PHONE)
+        page.wait_for_timeout(600)
+        page.evaluate("scrollTo(0, 0)")
+        save(page, "study-phone")
+        page.set_viewport_size(DESKTOP)
+        page.click("[data-do=done]")
+        _at(page, "after")
+        page.check("input[name=confidence][value='4']")
+        save(page, "study-after")
+
+
+def _at(page: Page, stage: str) -> None:
+    page.wait_for_selector(f"#where[data-stage={stage}]", state="attached")
+    page.wait_for_timeout(400)
+
+
 def researchers(browser: Browser, database: Path) -> None:
     """Take the pictures of what researchers see of a study that simulated people try."""
     enrolment = Enrolment(Store(database))
@@ -154,7 +190,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--model", default="", help="for the side by side; the best one if empty")
     parser.add_argument("--episodes", default=SHOWN, help="to try for it, with commas")
-    parser.add_argument("--only", choices=("person", "planners", "cases", "researchers"))
+    parser.add_argument("--only", choices=("person", "planners", "cases", "study"))
     parser.add_argument("--runs", type=Path, help="a database of runs, for the comparison")
     given = parser.parse_args()
     FOLDER.mkdir(parents=True, exist_ok=True)
@@ -169,7 +205,8 @@ def main() -> None:
             planners(browser, address, given.episodes.split(","))
         if given.only in (None, "cases"):
             cases(browser, address)
-        if given.only in (None, "researchers"):
+        if given.only in (None, "study"):
+            participants(browser, Path(folder) / "taking-part.db")
             researchers(browser, Path(folder) / "study.db")
         if given.runs:
             comparison(browser, given.runs)
