@@ -49,7 +49,7 @@ class Record:
     said_done: bool = False
     """Whether the actor ended the episode itself."""
     expired: bool = False
-    """Whether it was truncated because the time was up, with steps left."""
+    """Whether it ended because the time was up, with steps left."""
     instruction: Instruction | None = None
     """What the planner was told; None for people, who read the dialogue."""
     closing: Closing | None = None

@@ -13,9 +13,9 @@ from reibench.commands.options import add_database, add_json, existing_database,
 from reibench.commands.output import say, say_json, table, tell
 from reibench.errors import ReibenchError
 from reibench.store import Store
-from study.config import read_study
 from study.enrolment import RUN_STATES, Enrolment
 from study.exporting import export
+from study.reading import read_study
 from study.status import status_of
 from study.texts import FOLDER
 

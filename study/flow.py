@@ -21,6 +21,7 @@ from study.answering import Answers, checked, keep_answers, wrong_answers
 from study.config import Question, Study, all_episodes
 from study.enrolment import Assignment, Closed, Enrolment, Participant
 from study.stages import (
+    BEHIND,
     Page,
     Stage,
     after_playing,
@@ -72,7 +73,7 @@ class Flow:
     def read(self, token: str, stage: Stage = "tutorial", place: int = 0) -> Page:
         """Have read the tutorial, or how a trial came out."""
         if stage not in ("tutorial", "outcome"):
-            raise StaleStep("This page was behind. It now shows where you are.")
+            raise StaleStep(BEHIND)
 
         def note(database: Database, who: Participant) -> None:
             study = self.enrolment.study(who.study, who.version)

@@ -15,7 +15,7 @@ from reibench.view.screens import picker_panel
 from study import view
 from study.enrolment import Enrolment
 from study.flow import Flow
-from study.stages import STAGES, Page, Stage
+from study.stages import BEHIND, STAGES, Page, Stage
 
 BUS = """
 window.reiTrigger = (name, data) => trigger(name, data);
@@ -25,7 +25,6 @@ window.dispatchEvent(new Event("rei:bus"));
 PARTS = ("where", "bar", "talk", "room", "act", "card", "extra")
 Answer = tuple[Any, ...]
 NO_STUDY = "There is no such study. Please use the link as it was sent to you."
-BEHIND = "This page was behind. It now shows where you are."
 LATEST = 1e14
 """Milliseconds since the epoch that are no clock's any more."""
 
@@ -231,7 +230,8 @@ def _answer(seq: int, page: Page | None, notice: str = "", *, stands: bool = Fal
         told = element("main", element("p", text(notice), role="alert"), class_="card", id="card")
         return (stamp, "", "", "", "", "", told, "")
     playing = page.sitting
-    extra = view.leaving() + view.helping(page.study) if page.stage != "over" else ""
+    may_leave = page.stage != "over" or page.stopped
+    extra = view.leaving() + view.helping(page.study) if may_leave else ""
     if playing is None:
         return (
             stamp, view.where(page), view.header(page), "", "", "", view.card(page, notice), extra,

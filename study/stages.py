@@ -16,6 +16,8 @@ Stage = Literal[
     "consent", "tutorial", "practice", "quiz", "trial", "after", "outcome", "end", "over"
 ]
 STAGES: tuple[Stage, ...] = get_args(Stage)
+BEHIND = "This page was behind. It now shows where you are."
+"""What somebody is told who clicked on what is not there any more."""
 
 
 @dataclass(frozen=True)
@@ -76,7 +78,7 @@ def ending_of(who: Participant) -> Ending | None:
 def refuse_elsewhere(who: Participant, stage: Stage, place: int) -> None:
     """Raise StaleStep unless somebody is at that stage and place."""
     if who.state != "active" or who.stage != stage or who.place != place:
-        raise StaleStep("This page was behind. It now shows where you are.")
+        raise StaleStep(BEHIND)
 
 
 def see(database: Database, who: Participant) -> None:

@@ -81,7 +81,7 @@ def _progress(page: Page) -> str:
 
 
 def _ways(page: Page) -> list[str]:
-    if page.stage in ("consent", "over"):
+    if page.stage in ("consent", "over") and not page.stopped:
         return []
     kept = element("span", "Everything is saved", class_="small muted hide-m")
     ways = [kept, button("Help", "help", "btn sm")] if page.stage != "tutorial" else [kept]

@@ -36,7 +36,7 @@ from reibench.errors import ReibenchError, UnknownName
 from reibench.pages.head import head
 from reibench.store import Store
 from reibench.view.markup import element, text
-from reibench.view.site import document
+from reibench.view.site import document, navigation
 
 HEAD = head("cases", "cases")
 FILES: Mapping[str, tuple[str, Callable[[Case, int, int], str | bytes]]] = {
@@ -105,7 +105,9 @@ class CasePages:
         except ReibenchError as problem:
             return self._trouble(str(problem), 400)
         content = element("main", shown, opened, class_="cases", id="content")
-        return HTMLResponse(document("Cases", "/cases", content, head=HEAD, page="cases"))
+        return HTMLResponse(
+            document("Cases", navigation("/cases"), content, head=HEAD, page="cases")
+        )
 
     def keep(
         self,
@@ -205,7 +207,9 @@ class CasePages:
             element("a", "All cases", href="/cases", class_="btn"), class_="detail trouble",
         )  # fmt: skip
         content = element("main", told, id="content", class_="cases one")
-        return HTMLResponse(document("Cases", "/cases", content, head=HEAD, page="cases"), status)
+        return HTMLResponse(
+            document("Cases", navigation("/cases"), content, head=HEAD, page="cases"), status
+        )
 
 
 def _visible(table: Table, *, researcher: bool) -> pd.DataFrame:

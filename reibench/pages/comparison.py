@@ -26,7 +26,7 @@ from reibench.score import COUNTED
 from reibench.store import Store
 from reibench.tally import records_frame
 from reibench.view.markup import element, text
-from reibench.view.site import document
+from reibench.view.site import document, navigation
 
 HEAD = head("comparison", "comparison")
 FORMS = {"svg": "image/svg+xml", "pdf": "application/pdf", "png": "image/png"}
@@ -65,7 +65,9 @@ class ComparisonPages:
             back = element("a", "All runs", href="/comparison", class_="btn")
             inside = element("section", told, back, class_="panel")
         content = element("main", inside, class_="comparison", id="content")
-        made = document("Comparison", "/comparison", content, head=HEAD, page="comparison")
+        made = document(
+            "Comparison", navigation("/comparison"), content, head=HEAD, page="comparison"
+        )
         return HTMLResponse(made, status)
 
     def figure(self, form: str, request: Request) -> Response:

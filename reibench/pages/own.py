@@ -13,7 +13,7 @@ from reibench.household import room_names
 from reibench.own_words import OwnEpisodes, Wording, choices, compose
 from reibench.pages.head import head
 from reibench.view.own_words_form import own_words_form
-from reibench.view.site import document
+from reibench.view.site import document, navigation
 
 HEAD = head("own", "own")
 FIRST_ROOM = "kitchen-1"
@@ -65,5 +65,5 @@ class OwnPages:
     def _show(self, said: Wording, trouble: str = "", status: int = 200) -> HTMLResponse:
         room = said.room if said.room in room_names() else FIRST_ROOM
         content = own_words_form(replace(said, room=room), choices(room), trouble=trouble)
-        made = document("Your own words", "/own", content, head=HEAD, page="own")
+        made = document("Your own words", navigation("/own"), content, head=HEAD, page="own")
         return HTMLResponse(made, status)

@@ -23,28 +23,31 @@ def navigation(here: str) -> str:
         )
         for title, href in LINKS
     ]
+    return bar("Pages", element("div", *tabs, class_="tabs"))
+
+
+def bar(label: str, start: str, end: str = "") -> str:
+    """Return the bar of a page: the brand, `start`, and at its end `end` and light or dark."""
     theme = element(
         "button", "◐", type="button", class_="btn sm quiet icon", data_do="theme",
         aria_label="Light or dark", title="Light or dark",
     )  # fmt: skip
     brand = element("a", LOGO, "REI-Bench", class_="brand", href="/")
+    grow = element("span", class_="grow")
     return element(
         "header",
-        element(
-            "nav", brand, element("div", *tabs, class_="tabs"), element("span", class_="grow"),
-            theme, class_="nav", aria_label="Pages",
-        ),
+        element("nav", brand, start, grow, end, theme, class_="nav", aria_label=label),
         class_="top",
-    )  # fmt: skip
+    )
 
 
-def document(title: str, here: str, body: str, *, head: str, page: str) -> str:
+def document(title: str, over: str, body: str, *, head: str, page: str) -> str:
     """Return a whole HTML document.
 
     Args:
         title: of the window.
-        here: the address of the page.
-        body: what stands below the bar.
+        over: the bar.
+        body: what stands below it.
         head: styles and scripts, as markup.
         page: what the style sheet calls it.
     """
@@ -58,7 +61,7 @@ def document(title: str, here: str, body: str, *, head: str, page: str) -> str:
     )
     skip = element("a", "To the content", href="#content", class_="skip")
     live = element("div", id="live", class_="sr", aria_live="polite", role="status")
-    shown = element("body", skip, sprite(), live, navigation(here), body)
+    shown = element("body", skip, sprite(), live, over, body)
     return "<!doctype html>" + element("html", inside, shown, lang="en", data_page=page)
 
 

@@ -4,9 +4,8 @@ from collections.abc import Sequence
 from datetime import UTC, datetime
 
 from reibench.pages.head import head
-from reibench.view.icons import sprite
-from reibench.view.logo import LOGO
 from reibench.view.markup import classes, element, text
+from reibench.view.site import bar, document
 
 Crumb = tuple[str, str]
 """Address and words of a page above this one."""
@@ -21,34 +20,10 @@ WORDS = {"no_consent": "did not agree", "failed_check": "failed the quiz", "with
 
 def page(title: str, crumbs: Sequence[Crumb], *parts: str) -> str:
     """Return a whole page; `crumbs` lead to those above it."""
-    bar = element(
-        "nav",
-        element("a", LOGO, "REI-Bench", class_="brand", href="/"),
-        element("ol", *_crumbs(title, crumbs), class_="crumbs"),
-        element("span", class_="grow"),
-        link("/admin/-/cases", "Cases"),
-        element(
-            "button", "◐", type="button", class_="btn sm quiet icon", data_do="theme",
-            aria_label="Light or dark",
-        ),
-        class_="nav",
-        aria_label="Researchers",
-    )  # fmt: skip
-    inside = element(
-        "head",
-        element("meta", charset="utf-8"),
-        element("meta", name="viewport", content="width=device-width,initial-scale=1"),
-        element("title", text(f"{title} · researchers")),
-        element("link", rel="icon", href="/web/favicon.svg"),
-        head("admin", "admin"),
-    )
-    skip = element("a", "To the content", href="#content", class_="skip")
-    live = element("div", id="live", class_="sr", aria_live="polite", role="status")
-    body = element(
-        "body", skip, sprite(), live, element("header", bar, class_="top"),
-        element("main", *parts, class_="admin", id="content"),
-    )  # fmt: skip
-    return "<!doctype html>" + element("html", inside, body, lang="en", data_page="admin")
+    way = element("ol", *_crumbs(title, crumbs), class_="crumbs")
+    over = bar("Researchers", way, link("/admin/-/cases", "Cases"))
+    content = element("main", *parts, class_="admin", id="content")
+    return document(title, over, content, head=head("admin", "admin"), page="admin")
 
 
 def _crumbs(title: str, crumbs: Sequence[Crumb]) -> list[str]:

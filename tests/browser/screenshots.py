@@ -15,8 +15,8 @@ from reibench.rollout import Rollout, drive
 from reibench.store import Store
 from reibench.worlds import worlds
 from study.access import PASSWORD
-from study.config import read_study
 from study.enrolment import Enrolment
+from study.reading import read_study
 from study.simulating import Character, Simulation
 from tests.browser import serving
 from tests.study.conftest import EXAMPLE

@@ -7,9 +7,9 @@ from playwright.sync_api import expect
 
 from reibench.store import Store
 from study.access import PASSWORD
-from study.config import read_study
 from study.enrolment import Enrolment
 from study.flow import Flow
+from study.reading import read_study
 from tests.browser import serving
 from tests.study.conftest import EXAMPLE, go_to
 

@@ -8,8 +8,8 @@ import pytest
 from playwright.sync_api import expect
 
 from reibench.store import Store
-from study.config import read_study
 from study.enrolment import Enrolment
+from study.reading import read_study
 from tests.browser import serving
 from tests.study.conftest import EXAMPLE
 
@@ -34,6 +34,13 @@ class Participant:
 
     def press(self, what):
         self.page.click(f"[data-do={what}]")
+
+    def go_to_practice(self):
+        self.page.check("#agree")
+        self.press("agree")
+        self.at("tutorial")
+        self.press("read")
+        self.at("practice")
 
     def reload(self, stage, place=0):
         self.page.reload()
@@ -252,11 +259,7 @@ def test_a_doubled_click_is_one_answer(served, study):
 def test_on_a_phone_what_was_said_is_seen_before_anything_is_done(served):
     person = served(viewport={"width": 390, "height": 844})
     page = person.page
-    page.check("#agree")
-    person.press("agree")
-    person.at("tutorial")
-    person.press("read")
-    person.at("practice")
+    person.go_to_practice()
     expect(page.locator(".talk")).to_be_visible()
     page.fill("#skill", "slice the bread")
     page.keyboard.press("Enter")
@@ -269,11 +272,7 @@ def test_on_a_phone_what_was_said_is_seen_before_anything_is_done(served):
 def test_enter_does_nothing_while_nothing_is_typed_and_early_typing_is_kept(served, study):
     person = served()
     page = person.page
-    page.check("#agree")
-    person.press("agree")
-    person.at("tutorial")
-    person.press("read")
-    person.at("practice")
+    person.go_to_practice()
     page.focus("#skill")
     page.keyboard.press("Enter")
     person.do("find a key chain")

@@ -6,9 +6,9 @@ from pathlib import Path
 import pytest
 
 from reibench.store import Store
-from study.config import read_study
 from study.enrolment import Enrolment
 from study.flow import Flow
+from study.reading import read_study
 
 EXAMPLE = Path(__file__).parents[2] / "assets" / "study" / "study.toml"
 

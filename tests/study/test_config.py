@@ -8,7 +8,8 @@ import pytest
 
 from reibench.errors import ReibenchError
 from study.__main__ import main
-from study.config import from_json, read_study
+from study.config import from_json
+from study.reading import read_study
 
 EXAMPLE = Path(__file__).parents[2] / "assets" / "study" / "study.toml"
 
@@ -71,6 +72,9 @@ def test_any_change_is_another_version_a_word_of_a_text_too():
         ("seed = 1 ", "seed = 1.5 ", "whole number"),
         ("tasks = 36 ", "tasks = 3600 ", "can be drawn"),
         ("points = 5", "points = 1", "should have 2 to 11"),
+        ("points = 5", 'points = "5"', "of the question 'confidence' should be a whole number"),
+        ("optional = true", 'optional = "no"', "true or false, without quotes"),
+        ('completed = "REI-DONE"', "completed = 5", "should be text in quotes"),
         ('right = "sometimes"', 'right = "maybe"', "nobody could give it"),
         ('no_consent = "REI-NO"', 'no_consent = "REI-DONE"', "Two endings have the code"),
         (

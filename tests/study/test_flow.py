@@ -321,6 +321,7 @@ def test_a_stopped_study_goes_on_for_nobody_and_a_paused_one_does(enrolment, flo
     page = flow.page(someone)
     assert (page.stage, page.stopped, page.code) == ("over", True, "")
     assert "has been stopped" in view.card(page)
+    assert "Leave the study" in view.header(page)  # what was done can still be deleted
     enrolment.set_state(short.name, "open")
     assert flow.page(someone).stage == "trial"
     enrolment.set_state(short.name, "stopped", "enough")

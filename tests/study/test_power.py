@@ -10,8 +10,8 @@ from reibench.run import RunSpec, evaluate
 from reibench.store import Store
 from reibench.worlds.embedded import embedded_world
 from study.__main__ import main
-from study.config import read_study
 from study.power import Expected, by_reference, outcomes_of, power
+from study.reading import read_study
 from tests.study.conftest import EXAMPLE
 
 

@@ -5,6 +5,7 @@ const EVERY = 5000; // ms between looks at what is live
 const PACE = 900; // ms a step while playing
 let playing = 0;
 let asked = 0;
+let walking = 0; // steps asked for that are still to come
 
 setUpTheme();
 
@@ -15,6 +16,7 @@ async function show(address, { quietly = false } = {}) {
   asked += 1;
   const mine = asked;
   const at = document.activeElement?.dataset?.key;
+  if (!quietly) walking += 1;
   try {
     const answer = await fetch(address, { cache: "no-store" });
     if (mine !== asked) return;
@@ -42,11 +44,13 @@ async function show(address, { quietly = false } = {}) {
       words.textContent = "The server does not answer; what is shown may be old.";
       document.querySelector("main")?.prepend(words);
     }
+  } finally {
+    if (!quietly) walking -= 1;
   }
 }
 
 setInterval(() => {
-  if (now()?.matches("[data-live]") && !document.hidden) show(location.href, { quietly: true });
+  if (now()?.matches("[data-live]") && !document.hidden && !walking) show(location.href, { quietly: true });
 }, EVERY);
 
 // ---- walking through a task
